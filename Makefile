@@ -16,6 +16,9 @@ CONSUMERS := build/consumers
 
 MINUTES ?= 60
 
+# Tests start hundreds of commands. Where the environment says that Python shall keep no compiled code, each would compile all of it anew.
+export PYTHONDONTWRITEBYTECODE =
+
 .PHONY: demo test test-quick check campaign soak docs mutants lock sbom clean
 .DELETE_ON_ERROR:
 

@@ -25,6 +25,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from foon_kg.food.words import heading_part, without_part
 from foon_kg.language.collection import is_heading
 from foon_kg.language.recipe_lines import read_recipe_lines
 from foon_kg.model import DISH_TYPES
@@ -73,14 +74,17 @@ def written_recipes(path: Path) -> Iterator[WrittenRecipe]:
 
 def ingredients_of(recipe: WrittenRecipe, path: Path) -> list[dict[str, str]]:
     """Return what the reader makes of the lines; those that it cannot use are told on stderr."""
-    wanted = []
+    wanted, part = [], ""
     read = read_recipe_lines(line for _, line in recipe.lines)
     for (place, line), answer in zip(recipe.lines, read, strict=True):
-        if answer.object is None or is_heading(line):
+        if is_heading(line):
+            part = heading_part(line)
+        elif answer.object is None:
             said = f": {line}" if recipe.half == "development" else ""
             print(f"{path}:{place}: {recipe.id}: no food is read here{said}", file=sys.stderr)
         else:
-            wanted.append({"object": answer.object, "state": answer.state})
+            said = without_part(line)[1] or part
+            wanted.append({"object": answer.object, "state": answer.state} | ({"part": said} if said else {}))
     return wanted
 
 

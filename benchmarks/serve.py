@@ -1,7 +1,7 @@
 """How many plans a second foon serve answers, and how long each takes: new questions, and questions asked before.
 
     python benchmarks/serve.py [--files FOLDER] [--recipes PATH ...] [--every N] [--jobs N] [--clients N] [--again N]
-                               [--writing SECONDS]
+                               [--writing SECONDS] [--idle SECONDS]
 
 Starts foon serve on a free port with its own limits (but a rate that this one address may reach) and asks for every
 N-th recipe beside the checkout over ``--clients`` kept connections, from a process of its own: once each; then
@@ -11,6 +11,7 @@ and of the one that serves, statuses. The first line is what planning costs; the
 are kept. CPU says on a busy machine what the seconds do not. With ``--writing`` the FOON is that of Neo4j (NEO4J_URI,
 else the local server, whose FOON is replaced by that of ``--files``), and a process of its own takes a video out and
 brings it back, a change every so many seconds; how many changes there were while each line was measured is told.
+``--idle`` waits so long before the first question: processes that nobody asks plan recorded dishes meanwhile.
 """
 
 import argparse
@@ -60,6 +61,7 @@ def main() -> None:
     parser.add_argument("--clients", type=int, default=32)
     parser.add_argument("--again", type=int, default=5000)
     parser.add_argument("--writing", type=float)
+    parser.add_argument("--idle", type=float, default=0.0)
     options = parser.parse_args()
     read = read_paths([options.files])
     snapshot = Snapshot.of([result.subgraph for result in read if result.subgraph is not None], Kitchen.default())
@@ -92,6 +94,7 @@ def main() -> None:
             return Measured(time.perf_counter() - started, *spent, answers, changes.value - changed)
 
         measure([("", [f"chopped onion{' ' * n}", "egg"]) for n in range(2 * options.jobs)])  # each process has begun
+        time.sleep(options.idle)
         if options.writing is not None:
             writer.start()
         show("new questions", measure(questions))

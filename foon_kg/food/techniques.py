@@ -207,6 +207,44 @@ def preparations() -> Mapping[str, Mapping[str, Any]]:
     return rows
 
 
+@dataclass(frozen=True)
+class Component:
+    """A part of a dish with a place of its own: how it is made (``technique``), and where it joins what else is made.
+
+    Its foods are those of which a recipe says that they are for one of ``parts``; else, where the dish is called so and
+    the component is ``guessed`` from that, the last of ``body``. With them come those of ``neighbours`` that are listed
+    beside them. ``beside`` are foods of which each list leaves one for the rest. ``at`` is where it joins, ``by`` the
+    stage at which it does.
+    """
+
+    technique: Technique
+    parts: frozenset[str]
+    body: tuple[Foods, ...]
+    neighbours: tuple[Foods, ...]
+    beside: tuple[tuple[Foods, ...], ...]
+    at: str
+    by: str
+    guessed: bool
+
+
+@cache
+def components() -> tuple[Component, ...]:
+    """Return every component in the order of its table: a food belongs to the first that takes it."""
+    return tuple(
+        Component(
+            _technique(name, {"lines": {}, **row}),
+            frozenset(row.get("parts", ())),
+            tuple(map(Foods.read, row.get("body", ()))),
+            tuple(map(Foods.read, row.get("neighbours", ()))),
+            tuple(tuple(map(Foods.read, need)) for need in row.get("beside", ())),
+            row["at"],
+            row["by"],
+            "called" in row,
+        )
+        for name, row in shipped("components")["components"].items()
+    )
+
+
 def _work(row: Mapping[str, Any]) -> Work:
     lists = {"does": frozenset(row.get("does", ())), "tools": tuple(row.get("tools", ()))}
     return Work(**{**row, **lists, "states": tuple(row.get("states", ()))})

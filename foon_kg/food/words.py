@@ -1,4 +1,7 @@
-"""The words of a name: in lower case and in the singular, so that what two people write of one thing meets."""
+"""The words of a name: in lower case and in the singular, so that what two people write of one thing meets.
+
+And the words that say for what of a dish a food is.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +18,9 @@ _IRREGULAR = {
 _PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
 _NO_PLURAL = ("ss", "us", "is")
 _SHORT = 3
+_USE = re.compile(r"[,(]?\s*(?<!more )\b(?:for|to) (?:the |an? )?(?P<words>[a-z][a-z -]*)\)?", re.IGNORECASE)
+_USES = {"serve": "serving", "garnish": "garnish", "finish": "finishing", "decorate": "garnish"}
+"""What is said with "to", and for what a food is then."""
 
 
 @functools.lru_cache(maxsize=1 << 16)
@@ -65,3 +71,30 @@ def is_unbaked(title: str) -> bool:
     """Whether a title says that the dish is made without an oven: a no-bake cheesecake, on the stovetop."""
     told = title.lower().replace("-", " ")
     return "no bake" in told or not word_list("is made on a stove").isdisjoint(words(told))
+
+
+def without_part(text: str) -> tuple[str, str]:
+    """Return a line without the words that say for what its food is, and for what; ``""`` where it says nothing.
+
+    >>> without_part("powdered sugar, for the glaze"), without_part("lemon wedges to serve"), without_part("1 egg")
+    (('powdered sugar', 'glaze'), ('lemon wedges', 'serving'), ('1 egg', ''))
+    """
+    for use in _USE.finditer(text):
+        said = use["words"].lower().split()
+        found = next((word for word in said if word in _named()), _USES.get(said[0], ""))
+        if found:
+            return f"{text[: use.start()]}{text[use.end() :]}".strip(), found
+    return text, ""
+
+
+def heading_part(text: str) -> str:
+    """Return the part of a dish that a heading names; ``""`` where it names none.
+
+    >>> heading_part("For the lemon glaze:")
+    'glaze'
+    """
+    return next((word for word in reversed(re.findall(r"[a-z]+", text.lower())) if word in _named()), "")
+
+
+def _named() -> frozenset[str]:
+    return word_list("parts of a dish") | word_list("says what a food is for")

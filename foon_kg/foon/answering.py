@@ -72,8 +72,8 @@ class Answering(Changing):
         >>> from foon_kg.planning.settings import PlanSettings
         >>> foon.get_ready(PlanSettings())
         """
-        with self._cook(settings):
-            pass
+        with self._cook(settings) as cook:
+            cook.get_ready()
 
     @contextmanager
     def answers(

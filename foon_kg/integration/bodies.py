@@ -9,9 +9,9 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.coated import coated_apart
 from foon_kg.integration.frames import Line, Stage
-from foon_kg.integration.patterns import COOK, MIX, SHAPE, STIR, TOP, TURN
+from foon_kg.integration.patterns import COOK, MIX, SHAPE, SIMMER, STIR, TOP, TURN
 from foon_kg.integration.places import NATURAL
-from foon_kg.integration.preparation import as_mash, owed
+from foon_kg.integration.preparation import Want, as_mash, owed
 from foon_kg.integration.spots import Join
 
 _MIX = replace(MIX, tools=("spatula",))
@@ -51,7 +51,9 @@ class _Body:
         flesh = [join for join in raw if join.want.facts.is_a(*word_list("is coated")) and join not in mass]
         fried = [join for join in joins if join.want.facts.is_a(*word_list("is fried to be stacked"))]
         in_pieces = len(flesh) == 1 and not mass and self._is_cut(flesh[0]) and self._has_more_for_the_pan()
-        self.loose = (bool(mass) and not self.shaped) or in_pieces
+        wet = any(join.want.facts.is_of(*word_list("is braised in")) for join in joins)
+        self.braised = len(flesh) == 1 and not mass and wet and flesh[0].want.facts.is_of(*word_list("is braised"))
+        self.loose = (bool(mass) and not self.shaped) or in_pieces or self.braised
         self.main = mass or (flesh if len(flesh) == 1 else [])
         if not self.main and not raw and fried:
             self.main, fried = fried, []
@@ -85,7 +87,7 @@ class _Body:
         mix, heat, turn, done = replace(_MIX), replace(COOK), replace(TURN), replace(COOK)
         stages: tuple[Stage, ...] = (mix, replace(SHAPE), heat, turn, done) if self.shaped else (heat, turn, done)
         if self.loose:
-            heat = replace(STIR, label="mixture")
+            heat = replace(SIMMER, vessel="pot", label="mixture") if self.braised else replace(STIR, label="mixture")
             stages = (heat,)
         top = replace(top, adds=(Line(stages),))
         found = tuple(
@@ -118,13 +120,16 @@ class _Body:
         if join in self.main:
             return body
         if self.loose:
-            return None if want.facts.is_a(*word_list("lies on what is loose")) else body
+            cooked = want.facts.is_a(*word_list("is cooked with what is loose"))
+            return None if want.facts.is_a(*word_list("lies on what is loose")) and not cooked else body
         if want.facts.is_a(*word_list("is smeared on it")):
             return None
         if want.facts.is_a("fat"):
             return heat if self._is_first_fat(join) else None
-        if want.facts.is_a(*word_list("seasons a body")):
-            return body
+        return body if want.facts.is_a(*word_list("seasons a body")) or self._is_bound(want) else None
+
+    def _is_bound(self, want: Want) -> bool:
+        """Whether a food is mixed into what is shaped."""
         cut = max((self.known.state(state).fine or 0 for state in (want.make, *want.leaf) if state), default=0)
         in_pieces = 0 < cut < _SMALL  # what is asked in slices or rings is laid on it
         binds_it = word_list("binds a mass") | word_list("is bound with it")
@@ -133,7 +138,19 @@ class _Body:
         binds = (want.facts.is_a(*binds_it) and not in_pieces and not carries) or (
             cut >= _SMALL and want.facts.is_a("vegetable")
         )
-        return body if self.shaped and binds and not want.facts.is_a(*word_list("lies on patties")) else None
+        binds = binds and not want.facts.is_a(*word_list("lies on patties"))
+        return self.shaped and (binds or self._is_listed_inside(want, cut))
+
+    def _is_listed_inside(self, want: Want, cut: int) -> bool:
+        """Whether a recipe lists what is in small pieces between what patties are made of and what seasons that."""
+        if cut < _SMALL and not want.facts.is_a(*word_list("is mixed into patties")):
+            return False
+        slices = [one.want for one in self.joins if one.want.facts.is_a(*word_list("carries what is stacked"))]
+        seasons = [one.want for one in self.joins if one.want.facts.is_a(*word_list("seasons a body"))]
+        end = min((place for one in slices for place in one.places), default=0)
+        last = max((place for one in seasons for place in one.places if place < end), default=-1)
+        first = min((place for one in self.main for place in one.want.places), default=last)
+        return any(first < place < last for place in want.places)
 
     def _is_first_fat(self, join: Join) -> bool:
         fats = [one for one in self.joins if one.want.facts.is_a("fat")]

@@ -14,6 +14,7 @@ from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
 from foon_kg.integration.bodies import made_apart
 from foon_kg.integration.coated import coated_alone
+from foon_kg.integration.components import Side, with_sides
 from foon_kg.integration.crowned import strewn_under, wedges_last
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.formed import formed, formed_within, is_formed
@@ -36,7 +37,8 @@ class Called:
 
     ``tin`` is what its batter or dough is baked in. ``baked``: the words say that it comes out of an oven; ``folded``
     are those by which it may be folded over. ``warms``: this FOON shows how a drink is heated. ``technique``: how it is
-    made whatever its video does. ``asks`` is what its title asks to be done, with the words that do.
+    made whatever its video does, ``sides`` are its components. ``asks`` is what its title asks to be done, with the
+    words that do.
     """
 
     dishes: Sequence[Dish]
@@ -49,6 +51,7 @@ class Called:
     folded: Collection[str]
     warms: bool
     technique: Technique | None = None
+    sides: Sequence[Side] = ()
     asks: Sequence[tuple[Named, str]] = ()
 
     @cached_property
@@ -74,13 +77,14 @@ class Arranged(NamedTuple):
 def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
     """Return how a dish is made: by the technique that it is called by, else after ``line`` as its name changes it.
 
-    What its title asks for besides is done at a stage of its own.
+    Its components are made beside that, and join it; what its title asks for besides is done at a stage of its own.
     """
     made = _arranged(line, joins, parts, called, known)
-    line, found = as_named(made.line, made.joins, [one for one, _ in called.asks], known)
+    line, joins = with_sides(made.line, made.joins, called.sides, words(called.title), known)
+    line, joins = as_named(line, joins, [one for one, _ in called.asks], known)
     if called.drunk:
-        line, found = for_many(line, found, words(called.title))
-    return made._replace(line=line, joins=found)
+        line, joins = for_many(line, joins, words(called.title))
+    return Arranged(line, joins, made.one_pot)
 
 
 def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:

@@ -352,7 +352,7 @@ class Cooking:
         row = self.known.utensil(label)
         bakes = row is not None and not row.can.isdisjoint({"bake", "heat", "cook"})
         under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
-        grease = [join for join in joins if bakes and join.want.facts.is_a(*under)]
+        grease = [join for join in joins if bakes and (join.layer < 0 or join.want.facts.is_a(*under))]
         device, relation = self.utensils.device_for(stage)
         self._stand(fresh, stage, device if relation == "on" else "")
         if not grease:
@@ -460,6 +460,7 @@ class Cooking:
         first_line = min((stage.adds.index(add) for add in by_line), default=len(stage.adds))
         for join in joins:
             before = join.slot is not None and join.slot in stage.adds and stage.adds.index(join.slot) < first_line
+            before = before or join.layer < 0
             if waiting and not before and not (heats and join.want.facts.is_a("fat")):
                 stuffs += waiting
                 waiting = []

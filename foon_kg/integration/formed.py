@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
@@ -14,6 +15,7 @@ from foon_kg.integration.patterns import BAKE, COOK, MIX, SHAPE, SIMMER, TOP, TU
 from foon_kg.integration.preparation import as_mixed
 from foon_kg.integration.spots import Join
 
+_SAUCE = word_list("is a sauce around a mass")
 _FINE = 3
 """As finely as this (chopped, grated) vegetables are cut that go into a mass."""
 
@@ -35,7 +37,7 @@ def formed(
     in a soup.
     """
     mass = _Mass(joins, known)
-    part = any(join.want.facts.is_a(*word_list("is eaten with a sauce")) for join in joins)
+    part = any(join.want.facts.is_a(*word_list("is eaten with a sauce")) and not mass.holds(join) for join in joins)
     if not mass.main or part or not word_list("boils in the dish").isdisjoint(told):
         return line, tuple(joins)
     mix, shape, heat, turn, done, sauce, top, whisk = fresh(MIX, SHAPE, COOK, TURN, COOK, SIMMER, TOP, WHISK)
@@ -86,7 +88,8 @@ class _Mass:
         self.main = self._main()
         facts = [join.want.facts for join in joins]
         self.bound = any(one.is_a(*word_list("binds patties")) for one in facts)
-        self.wet = any(one.is_of(*word_list("is a sauce around a mass")) for one in facts)
+        self.begin = self._begin()
+        self.wet = any(join.want.facts.is_of(*_SAUCE) and not self._soaks_what_binds(join) for join in joins)
 
     def _main(self) -> list[Join]:
         for words_of in ("patties are made of", "is shaped too", "is shaped when it is mashed"):
@@ -95,6 +98,30 @@ class _Mass:
                 return found
         return []
 
+    def _begin(self) -> float:
+        """Return the place in the recipe at which what is cooked around the mass begins."""
+        first = min((place for join in self.main for place in join.want.places), default=0)
+        wet = [join for join in self.joins if join.want.facts.is_of(*_SAUCE) and not self._is_beside_binder(join)]
+        places = [min(join.want.places) for join in wet if join.want.places]
+        return min((place for place in places if place > first), default=math.inf)
+
+    def holds(self, join: Join) -> bool:
+        """Whether raw grain is shaped with the rest and done in the sauce, before which it is listed."""
+        facts = join.want.facts
+        early = bool(join.want.places) and min(join.want.places) < self.begin < math.inf
+        return early and facts.kind in word_list("is done inside a mass") and not join.want.cooked
+
+    def _is_beside_binder(self, join: Join) -> bool:
+        """Whether a recipe lists a food right before or after the crumbs that bind a mass."""
+        binders = [one.want for one in self.joins if one.want.facts.is_a(*word_list("is soaked to bind"))]
+        return any(abs(mine - other) == 1 for one in binders for mine in join.want.places for other in one.places)
+
+    def _is_listed_after(self, join: Join) -> bool:
+        """Whether a recipe lists a food after that with which the sauce begins, as it does what belongs to that."""
+        facts = join.want.facts
+        late = bool(join.want.places) and min(join.want.places) > self.begin
+        return late and join not in self.main and not facts.is_a("fat", "egg", *word_list("is soaked to bind"))
+
     def _fine(self, join: Join) -> int:
         states = (join.want.make, *join.want.leaf)
         return max((self.known.state(state).fine or 0 for state in states if state), default=0)
@@ -102,12 +129,12 @@ class _Mass:
     def is_of_mass(self, join: Join, *, alone: bool) -> bool:
         """Whether a food is mixed with what is shaped; ``alone``: there is nothing else that it could belong to."""
         facts = join.want.facts
-        if facts.is_a(*word_list("is taken out of the dish")) or self.lies_on_it(join):
+        if facts.is_a(*word_list("is taken out of the dish")) or self.lies_on_it(join) or self._is_listed_after(join):
             return False
-        held = facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass"))
+        held = facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass")) or self.holds(join)
         if join in self.main or held or self._soaks_what_binds(join):
             return True
-        if facts.is_a("fat") or facts.is_of(*word_list("is a sauce around a mass")):
+        if facts.is_a("fat") or facts.is_of(*_SAUCE):
             return False
         if facts.is_a(*word_list("binds a mass or a sauce")):
             return not self.wet
@@ -117,18 +144,20 @@ class _Mass:
         return alone and (small or not facts.is_a("vegetable"))
 
     def _soaks_what_binds(self, join: Join) -> bool:
-        """Whether a liquid is for the crumbs that bind a mass, since something else is cooked around that."""
+        """Whether a liquid is for the crumbs that bind a mass: listed beside them, or if another one is the sauce."""
         if not (self.bound and join.want.facts.kind in word_list("soaks what binds")):
             return False
+        if self._is_beside_binder(join):
+            return True
         others = (one.want.facts for one in self.joins if one is not join)
-        return any(one.is_of(*word_list("is a sauce around a mass")) for one in others)
+        return any(one.is_of(*_SAUCE) for one in others)
 
     def is_sauce(self, join: Join) -> bool:
         """Whether a food is cooked around what was shaped."""
         facts = join.want.facts
         if facts.is_a("fat") or self.lies_on_it(join) or self.is_of_mass(join, alone=False):
             return False
-        if facts.is_of(*word_list("is a sauce around a mass")):
+        if facts.is_of(*_SAUCE) or self._is_listed_after(join):
             return True
         return self.wet and not self.is_of_mass(join, alone=True)
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 
 from foon_kg.food import Tables
 from foon_kg.food.named import Named
-from foon_kg.food.techniques import Foods, works
+from foon_kg.food.techniques import Foods
 from foon_kg.integration.course import HEATS, WORKS
 from foon_kg.integration.final_tree import FinalTree
 from foon_kg.integration.frames import Asked, Line, Stage
@@ -86,7 +86,8 @@ _PUT = {"before": _before, "done": _done, "last": _last}
 
 
 def _stage(one: Named) -> Asked:
-    return stage_of(works()[one.stage])
+    stage = stage_of(one.stage)
+    return Asked(**{field.name: getattr(stage, field.name) for field in fields(stage)})
 
 
 def _line_with(line: Line, meant: Stage) -> Line:

@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.batters import is_of_batter, is_of_dough
 from foon_kg.integration.frames import Line, Slot, Stage
 from foon_kg.integration.places import NATURAL
-from foon_kg.integration.preparation import Want
+from foon_kg.integration.preparation import SECOND, Want
 from foon_kg.integration.spots import Join, Spot, only_carries
 
 
@@ -66,7 +66,7 @@ class _Parted:
         self.sweet = [want for want in self._are("sweetens a batter") if want not in self.fine]
         self.fats = [want for want in wants if want.facts.is_a("fat")]
         self.solid = self._are("is creamed")
-        self.numbers = max(want.number for want in wants)
+        self.numbers = 2 * SECOND
 
     def _are(self, words_of: str) -> list[Want]:
         return [want for want in self.wants if want.facts.is_a(*word_list(words_of))]

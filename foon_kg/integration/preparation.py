@@ -57,6 +57,9 @@ _RARE = 0.2
 
 _SHREDS = word_list("only what is cooked is so")
 
+SECOND = 1000
+"""Above this are the numbers of second portions: below it are those of what is asked."""
+
 _POWDER = 5
 """How fine a powder is (:class:`~foon_kg.food.rows.State`)."""
 
@@ -69,7 +72,8 @@ class Want:
     somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
     (``None``: it was taken at its word). ``bought_so``: no kitchen of this FOON makes what is asked (smoked, pickled).
     ``at_hand``: somebody has it in the asked state. ``then`` is what is made of it once it is cooked (mashed).
-    ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes out of an oven.
+    ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes out of an oven. ``part`` is
+    for what of the dish the recipe says that it is, ``places`` are those at which it lists it.
     """
 
     number: int
@@ -87,6 +91,8 @@ class Want:
     at_hand: bool = False
     foamed: bool = False
     roasted: bool = False
+    part: str = ""
+    places: tuple[int, ...] = field(default=(), compare=False)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -110,9 +116,14 @@ def wants_of(
     ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators, title: str = ""
 ) -> tuple[Want, ...]:
     """Return the distinct required foods in their order, each with its state as it is understood."""
-    distinct = dict.fromkeys(one for one in ingredients if one.object)
-    wants = (_cut_by_name(understood(number, one, known, operators), known) for number, one in enumerate(distinct, 1))
-    return tuple(_as_entitled(want, title, known, operators) for want in wants)
+    distinct: dict[RequiredIngredient, tuple[int, ...]] = {}
+    for place, one in enumerate(one for one in ingredients if one.object):
+        distinct[one] = (*distinct.get(one, ()), place)
+    found = []
+    for number, (one, places) in enumerate(distinct.items(), start=1):
+        want = replace(understood(number, one, known, operators), part=one.part, places=places)
+        found.append(_as_entitled(_cut_by_name(want, known), title, known, operators))
+    return tuple(found)
 
 
 def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> Want:

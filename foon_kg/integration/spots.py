@@ -77,8 +77,8 @@ def _post(stage: Stage, later: Sequence[Stage], *, before: bool, side: bool) -> 
 class Join:
     """Where one asked food joins, how well that fits (0 to 1), and the slot that it takes, if one is natural.
 
-    ``layer`` is its place among others that are laid on dough: from below to above. ``on_top``: it only
-    lies on the dish.
+    ``layer`` is its place among others that are laid on dough: from below to above, below 0 under all
+    else in its tin. ``on_top``: it only lies on the dish.
     """
 
     want: Want

@@ -10,12 +10,12 @@ from functools import partial
 from foon_kg.food import Level, Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import Around, Foods, Part, Technique, Work, preparations, techniques, ways, works
+from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques, ways, works
 from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS
-from foon_kg.integration.frames import BATH, Asked, Line, Phase, Slot, Stage
+from foon_kg.integration.frames import BATH, Line, Phase, Slot, Stage
 from foon_kg.integration.places import NATURAL
-from foon_kg.integration.preparation import BY_HAND, Want, owed
+from foon_kg.integration.preparation import BY_HAND, SECOND, Want, owed
 from foon_kg.integration.spots import Join, spots_of
 
 _MAIN = "dish"
@@ -28,16 +28,17 @@ def technique_for(
     """Return the first technique of the table that a dish is called by, and for which its foods are there.
 
     ``told`` are the words of its title, ``recorded`` those of what the videos of its type make: where one of them makes
-    what the title says, it teaches that, and no table.
+    what the title says, it teaches that, and no table, unless the recipe says which food is for which line of it.
     """
     around = Around([want.facts for want in wants], told)
     taught = [tuple(label) for label in recorded if set(label) <= set(told)]
+    parts = {want.part for want in wants} - {""}
     for one in techniques():
         if not one.is_called(dish_type, told):
             continue
-        if any(label[-len(name) :] == name for name in one.called for label in taught):
+        if parts.isdisjoint(one.lines) and any(label[-len(name) :] == name for name in one.called for label in taught):
             continue
-        if _has_its_foods(one, wants, around):
+        if has_its_foods(one, wants, around):
             return one
     return None
 
@@ -63,7 +64,7 @@ def as_a_way_says(
     for one in ways(when):
         fits = all(any(getattr(dish, name) for dish in dishes) is holds for name, holds in map(_asked, one.dishes))
         fits = fits and all((name in shown) is holds for name, holds in map(_asked, one.video))
-        if fits and one.is_called("", told) and _has_its_foods(one, wants, around):
+        if fits and one.is_called("", told) and has_its_foods(one, wants, around):
             return carried_out(one, joins, told, known)
     return line, tuple(joins)
 
@@ -79,13 +80,13 @@ def _shown(line: Line) -> set[str]:
     return found.union(*(stage.does for stage in line.all_stages()))
 
 
-def _has_its_foods(one: Technique, wants: Sequence[Want], around: Around) -> bool:
+def has_its_foods(one: Technique, wants: Sequence[Want], around: Around) -> bool:
     """Whether the foods of a recipe are those that a row needs."""
-    if not all(any(_mean(some, want, around) for some in need for want in wants) for need in one.needs):
+    if not all(any(means(some, want, around) for some in need for want in wants) for need in one.needs):
         return False
-    if any(_mean(some, want, around) for some in one.without for want in wants):
+    if any(means(some, want, around) for some in one.without for want in wants):
         return False
-    return all(sum(_mean(some, want, around) for want in wants) == 1 for some in one.one)
+    return all(sum(means(some, want, around) for want in wants) == 1 for some in one.one)
 
 
 def carried_out(
@@ -105,11 +106,12 @@ def carried_out(
     return line, tuple(found)
 
 
-def stage_of(work: Work) -> Asked:
-    """Return a stage of the table by itself, as a title asks for it."""
-    return Asked(
-        (), work.motion, work.does, work.tools, work.vessel, work.relation, work.appliance, work.source, "",
-        work.states, 0,
+def stage_of(name: str) -> Stage:
+    """Return the stage of that name in the table, at which nothing joins yet."""
+    work = works()[name]
+    return Stage(
+        (), work.motion, work.does, work.tools, work.vessel, work.relation, work.appliance, work.source, work.label,
+        work.states, -1,
     )  # fmt: skip
 
 
@@ -120,26 +122,35 @@ class _Placed:
         self.technique = technique
         self.around = around
         self.known = known
-        self.highest = max(join.want.number for join in joins)
+        self.highest = max(SECOND, *(join.want.number for join in joins))
         self.stages: dict[int, Stage] = {}
         self.found = list(self._found(joins))
         self.used = {id(part) for _, _, part in self.found}
         self.taken: set[str] = set()
 
     def _found(self, joins: Sequence[Join]) -> Iterator[tuple[Join, Foods, Part]]:
-        parts = [part for parts in self.technique.lines.values() for part in parts]
-        wishes = [(foods, part) for part in parts for foods in part.foods]
-        wishes.sort(key=lambda wish: wish[0].is_rest)
+        lines = self.technique.lines
+        wishes = [(foods, part, name) for name, parts in lines.items() for part in parts for foods in part.foods]
+        wishes.sort(key=lambda wish: (wish[0].again, wish[0].is_rest))
+        told = {join.want.part for join in joins} & (lines.keys() - {_MAIN})
+        apart = told if any(foods.is_rest for foods, _, _ in wishes) else set()
         once: dict[int, tuple[Join, Foods, Part]] = {}
-        for foods, part in wishes:
-            for join in joins if not foods.again else ():
-                if join.want.number not in once and _mean(foods, join.want, self.around):
-                    once[join.want.number] = (join, foods, part)
+        taken: dict[int, str] = {}
+        for line in sorted(told):  # what a recipe says of it itself comes before all
+            meant = [(foods, part) for foods, part, name in wishes if name == line]
+            for join in (join for join in joins if join.want.part == line):
+                wish = next((wish for wish in meant if means(wish[0], join.want, self.around)), meant[0])
+                taken[join.want.number], once[join.want.number] = line, (join, *wish)
         more: list[tuple[Join, Foods, Part]] = []
-        for foods, part in wishes:
+        for foods, part, name in wishes:
+            found = [join for join in joins if means(foods, join.want, self.around)]
             if foods.again:
-                found = [join for join in joins if _mean(foods, join.want, self.around)]
+                found = [join for join in found if taken.get(join.want.number) != name and not join.want.part]
                 more += self._again(found, foods, part, once)
+            for join in found if name not in apart and not foods.again else ():
+                if join.want.number not in once:
+                    taken[join.want.number] = name if foods.is_rest else ""  # else two of it are meant: layers
+                    once[join.want.number] = (join, foods, part)
         yield from once.values()
         yield from more
 
@@ -195,7 +206,8 @@ class _Placed:
         return part.label or usual
 
 
-def _mean(foods: Foods, want: Want, around: Around) -> bool:
+def means(foods: Foods, want: Want, around: Around) -> bool:
+    """Whether a food of a recipe is one of those that a text of the table means."""
     return foods.mean(want.label, want.facts, _states(want) if foods.state else (), around)
 
 

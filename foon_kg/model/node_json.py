@@ -36,13 +36,16 @@ def recipe_to_json(recipe: Recipe) -> JsonObject:
 
 def _wanted_to_json(wanted: RequiredIngredient) -> JsonObject:
     told: JsonObject = {"object": wanted.object, "state": wanted.state}
-    return told | ({"amount": wanted.amount} if wanted.amount else {})
+    more = {"amount": wanted.amount, "part": wanted.part}
+    return told | {name: value for name, value in more.items() if value}
 
 
 def recipe_from_json(fields: Fields) -> Recipe:
     """Read back what :func:`recipe_to_json` wrote."""
     ingredients = tuple(
-        RequiredIngredient(i.text("object"), i.text("state"), i.text("amount") if "amount" in i else "")
+        RequiredIngredient(
+            i.text("object"), i.text("state"), *(i.text(name) if name in i else "" for name in ("amount", "part"))
+        )
         for i in fields.nested_list("ingredients")
     )
     return Recipe(fields.text("dish_type"), ingredients, fields.optional_text("id"), fields.optional_text("title"))

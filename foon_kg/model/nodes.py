@@ -261,12 +261,14 @@ class RequiredIngredient:
     """What a recipe asks for: a food in a state, as the recipe words them.
 
     ``amount`` is how much of it, in the words of who asks ("1 1/2 cups"); it changes no tree and takes no part in
-    equality.
+    equality. ``part`` is for what of the dish the recipe says that it is ("dusting", "glaze"); ``""`` where it says
+    nothing.
     """
 
     object: str
     state: str
     amount: str = field(default="", compare=False)
+    part: str = ""
 
 
 @dataclass(frozen=True)

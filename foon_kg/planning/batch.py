@@ -144,6 +144,15 @@ class Cook:
         except (NoTreeError, ReadError, UsageError) as error:
             return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
 
+    def get_ready(self) -> None:
+        """Work out what all questions need and the first would wait for: words, operators and frames of the FOON.
+
+        A view that is asked for parts has nothing that suits all questions.
+        """
+        if not self.asks_for_parts:
+            _ = self._all_words
+            self.planner.teaching_for((), "")
+
     def words_for(self, question: Question) -> IngredientWords:
         """Return the words in which ``question`` is read."""
         if not self.asks_for_parts:

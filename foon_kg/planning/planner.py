@@ -21,6 +21,7 @@ from foon_kg.goals.asked import Asked
 from foon_kg.goals.choice import Fit, fits, refusals, shortlisted
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.called import Called, arranged
+from foon_kg.integration.components import sides_of
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
@@ -179,11 +180,13 @@ class _Question:
         self.kitchen = planner.kitchen_for([want.label for want in wants])
         self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in wants)
         recorded = (words(one.label) for one in self.methods.outlines.all if one.dish_type == recipe.dish_type)
-        self.technique = technique_for(recipe.dish_type, words(title), self.wants, recorded)
+        whole = Asked(self.wants, recipe.dish_type, title, self.known)
+        own, self.sides = sides_of(self.wants, whole.dishes, recipe.dish_type, title, baked=whole.baked)
         self.asks = named_by(title, recipe.dish_type, [(want.label, want.facts) for want in self.wants])
-        self.baked, self.parts = parts_of(self.wants, recipe.dish_type, title, _named_twice(asked), self.known)
+        self.technique = technique_for(recipe.dish_type, words(title), own, recorded)
+        self.baked, self.parts = parts_of(own, recipe.dish_type, title, _named_twice(asked), self.known)
         if self.technique is not None:  # it says itself what is put on what
-            self.baked, self.parts = self.wants, ()
+            self.baked, self.parts = own, ()
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
         self.matcher = Matcher(self.methods.posts, self.likes.in_slot, self.wants, self.teaching.joiners)
 
@@ -279,6 +282,7 @@ class _Question:
             warms=can_be_warmed(self.methods.operators),
             technique=self.technique,
             asks=self.asks,
+            sides=self.sides,
         )  # fmt: skip
 
     def _as_told(self, plan: Plan, asked: Asked, tin: str) -> Plan:

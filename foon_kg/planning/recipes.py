@@ -16,6 +16,7 @@ from pathlib import Path
 from foon_kg.food import singular, tables
 from foon_kg.food.called import dish_type_called
 from foon_kg.food.lists import word_list
+from foon_kg.food.words import without_part
 from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import Fields
@@ -58,7 +59,9 @@ class IngredientWords:
         known food at the end with the words before it as its state. One food has one state: of several the
         last processed one counts. Raises :class:`~foon_kg.model.errors.UsageError` when nothing is asked for.
         """
-        return self._chosen(text, *self.parts(text))
+        plain, part = without_part(text)
+        wanted, notes = self._chosen(plain, *self.parts(plain))
+        return replace(wanted, part=part), notes
 
     def parts(self, text: str) -> tuple[str, list[str], list[str]]:
         """Return the food that ``text`` names, its known states, and the words that are neither; see :meth:`read`."""
@@ -312,7 +315,7 @@ def recipe_files(paths: Iterable[Path]) -> Iterator[Path]:
 
 
 def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
-    """Read a recipe file: ``{"id", "title", "type", "ingredients": [{"object", "state", "amount"}]}``.
+    """Read a recipe file: ``{"id", "title", "type", "ingredients": [{"object", "state", "amount", "part"}]}``.
 
     ``id`` is the file's name where it is left out; ``dish_type`` is understood for ``type``. An ingredient may be a
     line ("200 g flour"); ``quantity`` and ``unit`` are understood for ``amount``. One without a name is left out, one
@@ -338,7 +341,7 @@ def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
 def _asked(ingredient: Fields) -> RequiredIngredient:
     """Return what an object of a recipe file asks for."""
     food, state = ingredient.text("object").strip(), (ingredient.optional_text("state") or "").strip()
-    return RequiredIngredient(food, state, amount_said(ingredient))
+    return RequiredIngredient(food, state, amount_said(ingredient), (ingredient.optional_text("part") or "").strip())
 
 
 def amount_said(ingredient: Fields) -> str:

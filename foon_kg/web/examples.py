@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from itertools import islice
 
 from foon_kg.evaluation.left_out_video import left_out_video
-from foon_kg.model import Goal
+from foon_kg.model import Goal, Recipe
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.planning.batch import Answer, Question
 from foon_kg.plans.result import PlanResult
@@ -37,24 +37,40 @@ def example_dishes(snapshot: Snapshot, answer: Callable[[Question], Answer], mos
 
 def _planned(goal: Goal, snapshot: Snapshot, answer: Callable[[Question], Answer]) -> dict[str, JsonObject]:
     """Return the dish by its name; nothing for one that the video does not ask for, or that cannot be planned."""
-    subgraph = next(one for one in snapshot.subgraphs if one.name == goal.videos[0])
-    asked = left_out_video(subgraph, snapshot.kitchen)
-    if asked is None or asked.recipe.dish_type != goal.dish_type:
+    asked = _asked(goal, snapshot)
+    if asked is None:
         return {}
-    texts = tuple(f"{wanted.state} {wanted.object}".strip() for wanted in asked.recipe.ingredients)
-    plan = answer(Question(dish_type=goal.dish_type, texts=texts)).outcome
+    plan = answer(_question(asked)).outcome
     if not isinstance(plan, PlanResult):
         return {}
     return {
         goal.node.label: {
             "name": goal.node.label,
             "dish_type": goal.dish_type,
-            "ingredients": list(texts),
-            "foods": [wanted.object for wanted in asked.recipe.ingredients],
-            "video": subgraph.name,
+            "ingredients": list(_question(asked).texts),
+            "foods": [wanted.object for wanted in asked.ingredients],
+            "video": goal.videos[0],
             "units": len(plan.units),
         }
     }
+
+
+def recorded_dishes(snapshot: Snapshot, most: int) -> Iterator[Question]:
+    """Return at most ``most`` dishes that videos of this FOON make, as a cook would ask for them, of types by turns."""
+    asked = (_asked(goal, snapshot) for goal in _by_turns(snapshot.goals()))
+    return islice((_question(recipe) for recipe in asked if recipe is not None), most)
+
+
+def _asked(goal: Goal, snapshot: Snapshot) -> Recipe | None:
+    """Return the recipe of a goal's first video; None where the video does not ask for the goal."""
+    subgraph = next(one for one in snapshot.subgraphs if one.name == goal.videos[0])
+    asked = left_out_video(subgraph, snapshot.kitchen)
+    return asked.recipe if asked is not None and asked.recipe.dish_type == goal.dish_type else None
+
+
+def _question(recipe: Recipe) -> Question:
+    texts = tuple(f"{wanted.state} {wanted.object}".strip() for wanted in recipe.ingredients)
+    return Question(dish_type=recipe.dish_type, texts=texts)
 
 
 def _by_turns(goals: tuple[Goal, ...]) -> Iterator[Goal]:

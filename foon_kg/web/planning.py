@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -20,12 +20,15 @@ from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.validation import KnownFoon
 from foon_kg.web.evidence import Place, by_place
-from foon_kg.web.examples import example_dishes
+from foon_kg.web.examples import example_dishes, recorded_dishes
 from foon_kg.web.plan_answer import plan_to_json
 from foon_kg.web.questions import ExamplesQuestion, PlanQuestion, Question, Reply, SuggestQuestion
 
 TIME_LIMIT = 3.0
 """Seconds for the search of one reference tree."""
+
+_MOST_PRACTISED = 120
+"""So many dishes are planned before anybody asks: of the public FOON all, of a larger one some of each type."""
 
 _NO_WISHES = PlanSettings(time_limit=TIME_LIMIT)
 
@@ -36,7 +39,20 @@ class PlanningDesk:
     def __init__(self, snapshot: Snapshot, lessons: Sequence[Lesson] = ()) -> None:
         self.snapshot = snapshot
         self._foon = Foon(snapshot, lessons=lessons)
+
+    def get_ready(self) -> None:
+        """Work out what every plan needs, so that no question waits for it and none of its time limit goes into it."""
         self._foon.get_ready(_NO_WISHES)
+        _ = self._durations, self._known, self._places
+
+    def practise(self) -> Iterator[PlannerQuestion]:
+        """Plan recorded dishes, one at each step, for what is kept of that: words, places of foods, reference trees.
+
+        No answer becomes another by it; the first questions about like foods are answered sooner.
+        """
+        for dish in recorded_dishes(self.snapshot, _MOST_PRACTISED):
+            self._planned(dish)
+            yield dish
 
     def answer(self, question: Question) -> Reply:
         """Return ``question``; what is wrong with it is an answer too."""

@@ -20,6 +20,9 @@ BEGINNING = 120.0
 
 _ENDING = 5.0
 
+_IDLE = 0.5
+"""Seconds without a question after which a process practises: a dish takes it some 20 ms, which a question may wait."""
+
 
 class PlanningProcess:
     """Answers one question at a time, each within ``seconds``; whatever becomes of its process, there is another."""
@@ -97,9 +100,13 @@ def _plan(line: Connection[Any, Any], snapshot: Snapshot, lessons: Sequence[Less
     threading.Thread(target=end_with_parent, daemon=True).start()
     collect_seldom()
     desk = PlanningDesk(snapshot, lessons)
+    desk.get_ready()
     keep_for_good()
     line.send(None)  # it is ready
+    practice = desk.practise()
     while True:
+        while not line.poll(_IDLE) and next(practice, None) is not None:
+            pass  # nobody asks yet
         try:
             question = line.recv()
         except EOFError:

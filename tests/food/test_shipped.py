@@ -10,7 +10,19 @@ import pytest
 from foon_kg.food import shipped
 from foon_kg.food.shipped import shipped as document
 
-NAMES = ("cold", "dishes", "foods", "lists", "motions", "savoury", "states", "techniques", "utensils", "ways")
+NAMES = (
+    "cold",
+    "components",
+    "dishes",
+    "foods",
+    "lists",
+    "motions",
+    "savoury",
+    "states",
+    "techniques",
+    "utensils",
+    "ways",
+)
 
 
 @pytest.fixture

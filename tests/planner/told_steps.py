@@ -14,12 +14,12 @@ Told = list[tuple[set[str], str, tuple[ObjectNode, ...]]]
 
 
 def plans_of(snapshot: Snapshot) -> Callable[..., PlanResult]:
-    """Return a function that plans a dish: its type, its title, its foods as “butter:melted”."""
+    """Return a function that plans a dish: its type, its title, its foods as ``food:state``, or ``food:state:part``."""
     planner = Planner(snapshot, PlanSettings(snapshot.kitchen, time_limit=None), snapshot.units)
 
     def plan(dish_type: str, title: str, *asked: str) -> PlanResult:
-        pairs = (one.rpartition(":")[::2] for one in asked)
-        foods = tuple(RequiredIngredient(food, state) for food, state in pairs)
+        told = (one.split(":") for one in asked)
+        foods = tuple(RequiredIngredient(food, state, part="".join(part)) for food, state, *part in told)
         return planner.plan(Recipe(dish_type, foods, "x", title))
 
     return plan

@@ -236,3 +236,17 @@ def test_a_state_that_is_misspelled_is_told_with_what_may_be_meant(text, meant):
     _, notes = WORDS.read(text)
     told = [note for note in notes if note.startswith("no state is called")]
     assert [note.rpartition("did you mean ")[2] for note in told] == ([f"“{meant}”?"] if meant else [])
+
+
+@pytest.mark.parametrize(
+    ("text", "food", "part"),
+    [
+        ("powdered sugar, for the glaze", "powdered sugar", "glaze"),
+        ("salt, for sprinkling on top", "salt", "sprinkling"),
+        ("chopped onion, to serve", "onion", "serving"),
+        ("salt", "salt", ""),
+    ],
+)
+def test_what_a_food_is_for_is_no_part_of_its_name_and_is_kept(text, food, part):
+    wanted, _ = WORDS.read(text)
+    assert (wanted.object, wanted.part) == (food, part)

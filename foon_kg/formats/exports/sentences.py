@@ -194,23 +194,31 @@ class _Reading:
         return f"{the(foods)} in {the(bath)}" if bath and foods else the(names)
 
     def _changing(self) -> str:
+        """Say what is done with foods where they are; of a full vessel, with everything in it."""
         foods = self._foods_changed
         vessel = max(self._utensils, key=lambda node: len(node.ingredients), default=None)
         held = self._held_in(vessel) if vessel is not None else []
         where = vessel.label if vessel is not None and held else _only_place(foods)
-        fresh = [food for food in foods if food.label not in held]
-        if len(held) > _FEW:
-            added = [food.label for food in fresh if food.container != where]
-            said = f"add {the(added)}, then " if added else ""
-            said += with_object(self._verb, "everything")
-        else:
-            told = [*(held if foods else ()), *(food.label for food in fresh)] or held
-            said = with_object(self._verb, self._in_bath(told))
+        said = self._done_with(foods, held, where)
         said += f" {self._relation(where)} the {where}" if where else ""
         used = {where or "", *(food.container or "" for food in self._foods)}
+        return said + self._with_tools(used) + self._gives[1] + self._making(held)
+
+    def _done_with(self, foods: Sequence[ObjectNode], held: list[str], where: str | None) -> str:
+        """Return the verb with its objects: what a vessel held, and ``foods`` that come to it; of many "everything"."""
+        fresh = [food for food in foods if food.label not in held]
+        if len(held) <= _FEW:
+            told = [*(held if foods else ()), *(food.label for food in fresh)] or held
+            return with_object(self._verb, self._in_bath(told))
+        added = [food.label for food in fresh if food.container != where]
+        first = f"add {the(added)}, then " if added else ""
+        return first + with_object(self._verb, "everything")
+
+    def _making(self, held: Sequence[str]) -> str:
+        """Return what comes of foods under a new name: "to make the dough"; ``""`` where nothing does."""
         known = {node.label for node in self._foods} | set(held)
         made = [node.label for node in self._food_made if node.label not in known]
-        return said + self._with_tools(used) + self._gives[1] + (f" to make {the(made)}" if made else "")
+        return f" to make {the(made)}" if made else ""
 
     @cached_property
     def _foods_changed(self) -> list[ObjectNode]:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from foon_kg.food import motions, singular, tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Utensil
 from foon_kg.food.words import words
 from foon_kg.language.drafting.calibration import probability
 from foon_kg.language.drafting.drafts import Draft, DraftUnit, LeftOut
@@ -102,7 +103,7 @@ class _Drafter:
             reason = f"{len(action.objects)} objects are no one action: left out"
             return (LeftOut(action.said, reason, action.timing),)
         plain = self._put_there(self._plain(action), reading)
-        if plain.objects and all(self._is_of_the_room(one.name) for one in plain.objects):
+        if self._are_of_the_room(plain.objects):
             reason = f"“{plain.objects[0].name}” belongs to the room and not to the dish: left out"
             return (LeftOut(action.said, reason, action.timing, settled=True),)
         drafted = tuple(row if self._changes(row) else _idle(action, row) for row in self._drafted(plain, reading))
@@ -129,34 +130,43 @@ class _Drafter:
             self._scene.hands.see(self._known_as(plain_name(one.name)), opened="open" in does)
 
     def _drafted(self, action: NarratedAction, reading: Reading) -> Sequence[DraftUnit]:
-        if not action.places and brings_back(action.verb, action.said):
-            homes = [self._scene.hands.place_of(one.name) for one in action.objects[:1]]
-            action = replace(action, places=tuple(Place("in", home) for home in homes if home is not None))
-        action = self._referents.turned(action)
-        places = self._referents.places(action)
-        action, reading = self._with_appliances(replace(action, places=places), reading)
+        """Return the units of an action whose names are plain; none where nobody says what it is done to."""
+        action = self._referents.turned(self._brought_back(action))
+        action, reading = self._with_appliances(replace(action, places=self._referents.places(action)), reading)
+        action, doubts = self._with_referents(action)
+        unsaid = not action.objects and not action.places and action.verb not in COVERED
+        if not action.objects or (unsaid and all(map(motions.transfers, reading.motions))):
+            return ()
+        foods = [one for one in action.objects if not self._kitchen.is_utensil(one.name)]
+        motion = self._precedents.motion(reading.motions, action.objects[0].name)
+        if not foods and tables().motion(action.verb).does & _PREPARES_A_VESSEL:
+            motion = action.verb  # a tray is greased, though butter is spread
+        doubts = (*doubts, *_doubts_of(action, reading, motion))
+        if foods:
+            action = replace(action, objects=tuple(foods))
+        return self._units.units(action, motion, reading.confidence, doubts)
+
+    def _brought_back(self, action: NarratedAction) -> NarratedAction:
+        """Return the action with the place where its object was, if it says no other and is brought back there."""
+        if action.places or not brings_back(action.verb, action.said):
+            return action
+        homes = [self._scene.hands.place_of(one.name) for one in action.objects[:1]]
+        return replace(action, places=tuple(Place("in", home) for home in homes if home is not None))
+
+    def _with_referents(self, action: NarratedAction) -> tuple[NarratedAction, tuple[str, ...]]:
+        """Return the action with the foods that its objects refer to, and the doubts of that.
+
+        A food that is called by another name from here on has that name in what was told before, too.
+        """
+        objects, doubts = self._referents.objects(action)
         places = action.places
-        objects, doubts = self._referents.objects(replace(action, places=places))
         for label, name in self._referents.called.items():
             self.told = renamed(self.told, label, name)
             rename(self._scene, label, name)
             objects = tuple(replace(one, name=name) if one.name == label else one for one in objects)
             places = tuple(replace(one, name=name) if one.name == label else one for one in places)
         self._referents.called.clear()
-        unsaid = not action.objects and not places and action.verb not in COVERED
-        if not objects or (unsaid and all(map(motions.transfers, reading.motions))):
-            return ()
-        foods = [one for one in objects if not self._kitchen.is_utensil(one.name)]
-        motion = self._precedents.motion(reading.motions, objects[0].name)
-        if not foods and tables().motion(action.verb).does & _PREPARES_A_VESSEL:
-            motion = action.verb  # a tray is greased, though butter is spread
-        if len(reading.motions) > 1 and reading.motions[0] != motion:
-            doubts = (*doubts, f"“{action.verb}” taken as {motion}, as the FOON does it with {objects[0].name}")
-        elif canonical(motion) != canonical(action.verb) and reading.confidence < 1 and not reading.why:
-            doubts = (*doubts, f"“{action.verb}” taken as {motion}")
-        doubts = (*doubts, *([reading.why] if reading.why else ()))
-        action = replace(action, objects=tuple(foods or objects), places=places)
-        return self._units.units(action, motion, reading.confidence, doubts)
+        return replace(action, objects=objects, places=places), doubts
 
     def _changes(self, row: DraftUnit) -> bool:
         """Whether anything is otherwise after a unit than before it, or a food is by itself no more."""
@@ -165,33 +175,28 @@ class _Drafter:
 
     def _keeps_cold(self, action: NarratedAction) -> bool:
         """Whether something is kept in what cools."""
-        rows = [tables().utensil(self._known_as(plain_name(place.name))) for place in action.places]
-        return any(row is not None and row.source == "cold" for row in rows)
+        return any(_source(self._known_as(plain_name(place.name))) == "cold" for place in action.places)
 
     def _with_appliances(self, action: NarratedAction, reading: Reading) -> tuple[NarratedAction, Reading]:
         """Return the action with what heats or cools among the instruments; what is put into a fridge is chilled."""
-        source = tables().motion(next(iter(reading.motions), "")).source
         listed = [tables().utensil(one.name) for one in action.objects]
-        heats = bool(source) and "heat" in tables().motion(reading.motions[0]).does
-        if heats and listed and all(row is not None and row.role in {"lid", "tool", "wrap"} for row in listed):
-            action = replace(action, objects=())  # "remove the lid and bake" is said of what is in the pot
-        elif heats and listed and all(row is not None and row.source == source for row in listed):
-            places = (*action.places, *(Place("in", one.name) for one in action.objects))
-            action = replace(action, objects=(), places=places)  # "bake the oven" is said of nothing
+        action = _heated_by_objects(action, listed, next(iter(reading.motions), ""))
         if action.verb in _HEATS_ONE and not listed:
-            named = [place.name for place in action.places if _is_source(place.name)]
-            return replace(action, objects=(Mention(named[0] if named else _OVEN),), places=()), reading
-        rows = {place.name: tables().utensil(place.name) for place in action.places}
-        named = [name for name, row in rows.items() if row is not None and row.source in {"heat", "cold"}]
-        if not named or (all(self._kitchen.is_utensil(one.name) for one in action.objects) and action.objects):
+            heater = next((place.name for place in action.places if _source(place.name) == "heat"), _OVEN)
+            return replace(action, objects=(Mention(heater),), places=()), reading
+        sources = {place.name: source for place in action.places if (source := _source(place.name)) in {"heat", "cold"}}
+        only_utensils = bool(action.objects) and all(self._kitchen.is_utensil(one.name) for one in action.objects)
+        if not sources or only_utensils:
             return action, reading
-        row, motion = rows[named[0]], next(iter(reading.motions), "")
-        if self._free and row is not None and row.source == "cold" and not tables().motion(motion).source:
+        if not tables().motion(next(iter(reading.motions), "")).source:
+            if not self._free or next(iter(sources.values())) != "cold":
+                return action, reading
             action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
-        elif not tables().motion(motion).source:
-            return action, reading
-        places = tuple(place for place in action.places if place.name not in named)
-        return replace(action, places=places, instruments=(*named, *action.instruments)), reading
+        places = tuple(place for place in action.places if place.name not in sources)
+        return replace(action, places=places, instruments=(*sources, *action.instruments)), reading
+
+    def _are_of_the_room(self, objects: Sequence[Mention]) -> bool:
+        return bool(objects) and all(self._is_of_the_room(one.name) for one in objects)
 
     def _is_of_the_room(self, name: str) -> bool:
         known = canonical(name)
@@ -199,19 +204,10 @@ class _Drafter:
 
     def _plain(self, action: NarratedAction) -> NarratedAction:
         """Return ``action`` with names that a table of units can hold, and with utensils where utensils belong."""
-        objects = [Mention(self._known_as(plain_name(one.name)), one.states) for one in action.objects]
-        objects = [one for one in objects if one.name]
-        instruments = list(filter(None, (self._known_as(plain_name(name)) for name in action.instruments)))
-        tools = {name for name in instruments if self._kitchen.is_utensil(name) or self._is_of_the_room(name)}
-        foods = [name for name in instruments if name not in tools]  # fill a bowl with water
-        objects += [Mention(name) for name in foods]
-        utensils = [one.name for one in objects if self._kitchen.is_utensil(one.name)]
-        if len(utensils) < len(objects):
-            objects = [one for one in objects if one.name not in utensils]
-        else:
-            utensils, objects = utensils[1:], objects[:1]
+        mentions, instruments = self._mentions(action)
+        objects, utensils = self._apart(mentions)
         used = [name for name in utensils if self._precedents.is_tool(name)]
-        if objects and all(self._is_of_the_room(one.name) for one in objects):
+        if self._are_of_the_room(objects):
             objects = [Mention(name) for name in map(self._switched, action.places) if name] or objects
         places = [Place(place.relation, self._place_known_as(plain_name(place.name))) for place in action.places]
         places += [Place("", name) for name in utensils if name not in used]
@@ -221,8 +217,26 @@ class _Drafter:
             places=tuple(place for place in places if place.name and not self._is_no_place(place)),
             origin=plain_name(action.origin or "") or None,
             product=plain_name(action.product or "") or None,
-            instruments=(*(name for name in instruments if name not in foods), *used),
+            instruments=(*instruments, *used),
         )
+
+    def _mentions(self, action: NarratedAction) -> tuple[list[Mention], list[str]]:
+        """Return objects and instruments by plain names; a food among the instruments is an object.
+
+        "Fill a bowl with water" brings the water.
+        """
+        named = [Mention(self._known_as(plain_name(one.name)), one.states) for one in action.objects]
+        with_ = [name for one in action.instruments if (name := self._known_as(plain_name(one)))]
+        foods = [name for name in with_ if not (self._kitchen.is_utensil(name) or self._is_of_the_room(name))]
+        objects = [one for one in named if one.name] + [Mention(name) for name in foods]
+        return objects, [name for name in with_ if name not in foods]
+
+    def _apart(self, mentions: list[Mention]) -> tuple[list[Mention], list[str]]:
+        """Return the foods and the names of the utensils beside them; of utensils alone the first is the object."""
+        utensils = [one.name for one in mentions if self._kitchen.is_utensil(one.name)]
+        if len(utensils) < len(mentions):
+            return [one for one in mentions if one.name not in utensils], utensils
+        return mentions[:1], utensils[1:]
 
     def _is_no_place(self, place: Place) -> bool:
         """Whether nothing is brought there: "fold it over itself", "rinse under cold water"."""
@@ -239,13 +253,10 @@ class _Drafter:
 
     def _place_known_as(self, name: str) -> str:
         """Return a place as the kitchen knows it: a hot pot is a dish, but what is put there comes into a pot."""
-        last = name.split()[-1:]
-        first = name.split()[:1]
-        return (
-            last[0]
-            if first and first[0].lower() in tables().states and self._kitchen.is_utensil(last[0])
-            else (self._known_as(name))
-        )
+        parts = name.split()
+        if parts and parts[0].lower() in tables().states and self._kitchen.is_utensil(parts[-1]):
+            return parts[-1]
+        return self._known_as(name)
 
     def _put_there(self, action: NarratedAction, reading: Reading) -> NarratedAction:
         """Return an action of a table whose only noun is where a thing is put: "put it on the shelf"."""
@@ -284,9 +295,38 @@ def _idle(action: NarratedAction, row: DraftUnit) -> LeftOut:
     return LeftOut(action.said, f"{reason}: left out", action.timing, settled=settled)
 
 
-def _is_source(name: str) -> bool:
+def _doubts_of(action: NarratedAction, reading: Reading, motion: str) -> Iterator[str]:
+    """Yield why ``motion`` may be another one than the verb of ``action`` says, as it was read."""
+    taken = f"“{action.verb}” taken as {motion}"
+    if len(reading.motions) > 1 and reading.motions[0] != motion:
+        yield f"{taken}, as the FOON does it with {action.objects[0].name}"
+    elif canonical(motion) != canonical(action.verb) and reading.confidence < 1 and not reading.why:
+        yield taken
+    if reading.why:
+        yield reading.why
+
+
+def _heated_by_objects(action: NarratedAction, listed: Sequence[Utensil | None], motion: str) -> NarratedAction:
+    """Return an action that heats without objects that heat nothing: lids and tools, and what the heat comes from.
+
+    "Remove the lid and bake" is said of what is in the pot, and "bake the oven" of nothing: it is where one bakes.
+    ``listed`` are the objects as the table of utensils has them.
+    """
+    does = tables().motion(motion)
+    if not (does.source and "heat" in does.does and listed):
+        return action
+    if all(row is not None and row.role in {"lid", "tool", "wrap"} for row in listed):
+        return replace(action, objects=())
+    if all(row is not None and row.source == does.source for row in listed):
+        places = (*action.places, *(Place("in", one.name) for one in action.objects))
+        return replace(action, objects=(), places=places)
+    return action
+
+
+def _source(name: str) -> str:
+    """Return what comes from a utensil, as "heat", "cold" or "water"; ``""`` where nothing does."""
     row = tables().utensil(name)
-    return row is not None and row.source == "heat"
+    return row.source if row is not None else ""
 
 
 def _dish_of(name: str) -> str:

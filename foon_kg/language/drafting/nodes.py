@@ -15,6 +15,13 @@ from foon_kg.model import ObjectNode
 from foon_kg.model.names import canonical
 from foon_kg.model.narration import Mention, NarratedAction
 
+Start = tuple[tuple[str, ...], tuple[str | None, str | None]]
+"""The states of a food before anything is done to it, and its place: a relation and a container."""
+
+_NOWHERE = (None, None)
+_SOLD_SO = SOMETHING - 0.05
+"""A little less sure than what is known of something like it: foods are sold in several states."""
+
 _TRUSTED = 0.6
 """Below this, how a food is before an action is rather taken from what it is elsewhere than from another food."""
 
@@ -70,39 +77,49 @@ class NodeDrafter:
         food = not self.precedents.kitchen.is_utensil(container) and container not in self.scene.foods
         return food or container == away_from or self._in_use(container) or _prepares(container)
 
-    def _start(
-        self, mention: Mention, like: Precedents, evidence: Evidence
-    ) -> tuple[tuple[str, ...], tuple[str | None, str | None]]:
+    def _start(self, mention: Mention, like: Precedents, evidence: Evidence) -> Start:
+        """Return the states and the place of a food that comes for the first time.
+
+        What the FOON has before such an action counts first; where that is too unlike, what it has of the food itself.
+        """
         own = self.precedents.start(mention.name) if like.likeness < _TRUSTED else None
         if own is None and like.rows and like.likeness != UNSEEN:
-            place, at = like.place_before()
-            if mention.states:
-                return mention.states, place
-            coming = self.scene.coming.get(canonical(mention.name))
-            later = self.precedents.of(coming, mention.name) if coming else like
-            states, share = (later if later.rows else like).before()
-            told = done((later if later.rows else like).rows[0].motion)
-            if told in states and (sold := self.precedents.start(mention.name)) is not None:
-                states = sold[0]  # the FOON beats eggs that are beaten already
-            evidence.weigh_states(share, f"{mention.name} taken as {listed(states)}, as in most such units")
-            evidence.weigh(max(at, UNSEEN))
-            return states, place
+            return self._start_like(mention, like, evidence)
         known = own or self.precedents.start(mention.name)
-        if known is None and not mention.states and (as_sold := tables().foods.food(mention.name).sold_as):
-            known = (as_sold,), (None, None)
-            evidence.weigh_states(
-                SOMETHING - 0.05, f"{mention.name} was never seen before: taken as {as_sold}, as it is sold"
-            )
-        if known is None and not mention.states and (near := self.precedents.nearest(mention.name)) is not None:
-            known = self.precedents.start(near.name)
-            doubt = f"{mention.name} was never seen before: taken as is {near.name}, {near.confidence:.2f}"
-            evidence.weigh_states(near.confidence * SOMETHING, doubt)
-        if known is None:
-            made = not {*canonical(mention.name).split()[-1:]}.isdisjoint(tables().unfinished)
-            states = mention.states or (() if made else ("whole",))
-            evidence.weigh_states(UNSEEN, f"{mention.name} was never seen before: taken as {listed(states)}")
-            return states, (None, None)
-        return mention.states or known[0], known[1]
+        if known is None and not mention.states:
+            known = self._start_unseen(mention.name, evidence)
+        if known is not None:
+            return mention.states or known[0], known[1]
+        made = not {*canonical(mention.name).split()[-1:]}.isdisjoint(tables().unfinished)
+        states = mention.states or (() if made else ("whole",))
+        evidence.weigh_states(UNSEEN, f"{mention.name} was never seen before: taken as {listed(states)}")
+        return states, _NOWHERE
+
+    def _start_like(self, mention: Mention, like: Precedents, evidence: Evidence) -> Start:
+        """Return how a food is before such actions in the FOON, or before what is done to it later in the recipe."""
+        place, share_of_place = like.place_before()
+        if mention.states:
+            return mention.states, place
+        coming = self.scene.coming.get(canonical(mention.name))
+        later = self.precedents.of(coming, mention.name) if coming else like
+        first = later if later.rows else like
+        states, share = first.before()
+        if done(first.rows[0].motion) in states and (sold := self.precedents.start(mention.name)) is not None:
+            states = sold[0]  # the FOON beats eggs that are beaten already
+        evidence.weigh_states(share, f"{mention.name} taken as {listed(states)}, as in most such units")
+        evidence.weigh(max(share_of_place, UNSEEN))
+        return states, place
+
+    def _start_unseen(self, name: str, evidence: Evidence) -> Start | None:
+        """Return how a food that the FOON never saw is: as it is sold, else as the nearest food that it saw."""
+        if as_sold := tables().foods.food(name).sold_as:
+            evidence.weigh_states(_SOLD_SO, f"{name} was never seen before: taken as {as_sold}, as it is sold")
+            return (as_sold,), _NOWHERE
+        if (near := self.precedents.nearest(name)) is None:
+            return None
+        doubt = f"{name} was never seen before: taken as is {near.name}, {near.confidence:.2f}"
+        evidence.weigh_states(near.confidence * SOMETHING, doubt)
+        return self.precedents.start(near.name)
 
     def origin(self, name: str, evidence: Evidence) -> str | None:
         """Return where a thing that is put was taken from; ``None`` where nobody said so, and where it is known."""

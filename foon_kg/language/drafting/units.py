@@ -97,6 +97,7 @@ class UnitDrafter:
         return len(self._mixing.members(action, self._mixing.vessel(action))) > 1
 
     def _of_foods(self, action: NarratedAction, motion: str, evidence: Evidence) -> tuple[DraftUnit, ...]:
+        """Return the units of an action on foods: one of all that are changed together, else those of each."""
         if motions.mixes(motion) and (at := self._mixing.vessel(action)) is not None:
             everything = self._mixing.members(action, at)
             said = {one.name: one for one in action.objects}
@@ -105,34 +106,30 @@ class UnitDrafter:
         if covered:
             motion = action.verb
             evidence.doubts.append(f"nobody says what “{action.verb}” is done with")
-        together = (
-            motions.mixes(motion)
-            or motions.heats(motion)
-            or self._lie_together(action, stays=covered or not motions.transfers(motion))
-        )
-        if len(action.objects) > 1 and together:
+        brings = motions.transfers(motion) and not covered
+        if len(action.objects) > 1 and self._at_once(action, motion, stays=not brings):
             return (self._changed_together(action, motion, evidence),)
         found: list[DraftUnit] = []
-        brings = motions.transfers(motion) and not covered
         for mention in action.objects:
             own = Evidence(list(evidence.shares), list(evidence.doubts))
             like = self.nodes.like(motion, mention, own)
-            brought = (
-                brings
-                or _covers(action, motion)
-                or (
-                    like.brings
-                    and not self._rolled_in(action, motion)
-                    and not motions.heats(motion)
-                    and (bool(action.places) or not self.free)
-                )
-            )
-            draft = self._bringing.units if brought else self._changed
-            found += draft(action, mention, motion, like, own)
+            brought = brings or _covers(action, motion) or self._brings_as_known(action, motion, like)
+            drafted = self._bringing.units if brought else self._changed
+            found += drafted(action, mention, motion, like, own)
         left = tuple(one.name for one in action.objects if one.name in self.scene.foods)
         onto = tuple(place.name for place in action.places if place.name in self.scene.foods)
         self.scene.last = left or onto[:1]  # what came onto another food is by itself no more
         return (as_one(found),) if brings and found else tuple(found)
+
+    def _at_once(self, action: NarratedAction, motion: str, *, stays: bool) -> bool:
+        """Whether one unit changes all objects: they are mixed, heated, or lie in one vessel and stay there."""
+        return motions.mixes(motion) or motions.heats(motion) or self._lie_together(action, stays=stays)
+
+    def _brings_as_known(self, action: NarratedAction, motion: str, like: Precedents) -> bool:
+        """Whether the FOON brings such a food by ``motion``, and the action says where, or need not."""
+        if not like.brings or motions.heats(motion) or self._rolled_in(action, motion):
+            return False
+        return bool(action.places) or not self.free
 
     def _rolled_in(self, action: NarratedAction, motion: str) -> bool:
         """Whether the objects are coated in a food, and not brought to it."""
@@ -142,22 +139,25 @@ class UnitDrafter:
         return tuple(place for place in action.places if not self.precedents.kitchen.is_utensil(place.name))
 
     def _what_cooks(self, action: NarratedAction, motion: str, source: str) -> str | None:
-        """Return the vessel in which food is heated: as told, where it is, else an empty one as the FOON uses."""
+        """Return the vessel in which food is heated: as told, where it is, else an empty one as the FOON uses.
+
+        ``source`` is the appliance that heats, on or in which the vessel has to fit.
+        """
         told = self.nodes.utensil_place(action)
-        if told is not None and self._maker.cooks_in(told, source, motion):
-            return told
-        lying = [self.scene.foods.get(one.name) for one in action.objects]
-        at = [node.container for node in lying if node is not None]
-        inside = [one for one in at if self._maker.cooks_in(one, source, motion)]
-        if inside:
-            return inside[0]
-        if self.scene.focus is not None and self._maker.cooks_in(self.scene.focus, source, motion):
-            return self.scene.focus  # the pan in which the oil is hot
+        lying = [node.container for one in action.objects if (node := self.scene.foods.get(one.name)) is not None]
+        focus = self.scene.focus  # the pan in which the oil is hot
+        for vessel in (told, *lying, focus):
+            if vessel is not None and self._maker.cooks_in(vessel, source, motion):
+                return vessel
+        return self._empty_to_cook_in(motion, source)
+
+    def _empty_to_cook_in(self, motion: str, source: str) -> str:
+        """Return an empty vessel for ``motion``: the one that the FOON uses where it fits, else a plain one."""
         usual = self.precedents.vessel_of(motion)
-        row = tables().utensil(usual or "")
-        fit = row is not None and row.role == "vessel" and self._maker.cooks_in(usual, source, motion)
+        row = tables().utensil(usual) if usual is not None else None
+        fits = row is not None and row.role == "vessel" and self._maker.cooks_in(usual, source, motion)
         plain = "bowl" if "microwave" in source else "pan"
-        vessel = usual if fit and usual is not None else plain
+        vessel = usual if usual is not None and fits else plain
         return self.scene.another(vessel) if self.scene.held(vessel) else vessel
 
     def _changed(
@@ -168,39 +168,61 @@ class UnitDrafter:
         It is brought there before, and away after ("slice it into a bowl"). What it is dipped into or rolled in takes
         part, and is on it then.
         """
-        at = self.nodes.utensil_place(action)
-        away = at if any(place.relation in _AWAY for place in action.places) else None
-        at = at if away is None else None
+        named = self.nodes.utensil_place(action)
+        goes_away = any(place.relation in _AWAY for place in action.places)
+        at, away = (None, named) if goes_away else (named, None)
         onto = self._brought_onto(action, mention, motion)
         action = replace(action, places=tuple(place for place in action.places if place not in onto))
         moved = self._maker.moved([mention.name], at, action) if at is not None else []
         before = self.nodes.there(mention, like, evidence, at=at)
         with_ = self._foods_of_places(action, mention.name)
-        states = self.nodes.become(before, like, action, evidence)
-        after = replace(before, states=states, label=action.product or before.label)
-        if with_:
-            added = dict.fromkeys(part for one in with_ for part in self.scene.parts(one))
-            own = self.scene.parts(before)
-            after = replace(after, ingredients=(*before.ingredients, *(part for part in added if part not in own)))
+        after = self._after(before, with_, action, like, evidence)
         if after == before and not like.rows:
             evidence.doubts.append(f"the FOON does not say what {motion} changes")
-        there = self.nodes.in_utensil(before) and (like.with_vessel or at)
-        vessel = [self.nodes.vessel(before.container or "")] if there else []
+        vessel = self._vessel_around(before, like, told=at is not None)
         tools = self.nodes.tools(action, like, [node.label for node in vessel])
         if before.container is not None:
             self.scene.focus = before.container
         held = vessel
         if action.product is not None:
-            self.scene.forget([before.label])
-            after = replace(after, ingredients=self.scene.parts(before))
-            self.scene.mixed.add(after.label)
+            after = self._as_product(before, after)
             held = [filled(emptied(one, [before.label]), [after.label]) for one in vessel]
         if after == before and not with_ and (moved or away is not None):  # spread into the pan: so it comes there
             moved = moved or self._maker.moved([after.label], away or "", action)
             return [self._told(one, action, motion, evidence) for one in moved]
         made = self._maker.unit(action, motion, [*vessel, before, *with_, *tools], [*held, after, *with_], evidence)
         brought = self._brought(onto, after, action) if onto else []
-        return [*moved, made, *brought, *(self._maker.moved([after.label], away, action) if away is not None else [])]
+        taken_away = self._maker.moved([after.label], away, action) if away is not None else []
+        return [*moved, made, *brought, *taken_away]
+
+    def _vessel_around(self, food: ObjectNode, like: Precedents, *, told: bool) -> list[ObjectNode]:
+        """Return the utensil that a food is in, where it was ``told`` or the FOON names it with such actions."""
+        if food.container is None or not self.nodes.in_utensil(food) or not (like.with_vessel or told):
+            return []
+        return [self.nodes.vessel(food.container)]
+
+    def _after(
+        self,
+        before: ObjectNode,
+        with_: Sequence[ObjectNode],
+        action: NarratedAction,
+        like: Precedents,
+        evidence: Evidence,
+    ) -> ObjectNode:
+        """Return a food after an action: in its new states, by its new name, and with the foods that it was put in."""
+        states = self.nodes.become(before, like, action, evidence)
+        after = replace(before, states=states, label=action.product or before.label)
+        if not with_:
+            return after
+        own = self.scene.parts(before)
+        added = dict.fromkeys(part for one in with_ for part in self.scene.parts(one) if part not in own)
+        return replace(after, ingredients=(*before.ingredients, *added))
+
+    def _as_product(self, before: ObjectNode, after: ObjectNode) -> ObjectNode:
+        """Return ``after`` as a thing of its own that is made of ``before``, which is by itself no more."""
+        self.scene.forget([before.label])
+        self.scene.mixed.add(after.label)
+        return replace(after, ingredients=self.scene.parts(before))
 
     def _brought_onto(self, action: NarratedAction, mention: Mention, motion: str) -> tuple[Place, ...]:
         """Return the foods into which a changed food comes afterwards: a lemon is squeezed into the soup."""
@@ -232,7 +254,7 @@ class UnitDrafter:
         """Return one unit that changes several foods of one vessel (stir, fry): each becomes what it would alone."""
         at = self.nodes.utensil_place(action) or self.nodes.common_vessel(action)
         vessel = [self.nodes.vessel(at)] if at is not None else []
-        befores, afters, leaving = (list[ObjectNode]() for _ in range(3))
+        befores, afters = list[ObjectNode](), list[ObjectNode]()
         tools = dict[str, None]()
         for mention in action.objects:
             like = self.precedents.of(motion, mention.name)
@@ -243,11 +265,11 @@ class UnitDrafter:
             evidence.doubts += [*([like.doubt] if like.doubt else []), *own.doubts]
             tools |= dict.fromkeys(like.tools())
             if at is not None and before.container != at:
-                leaving.append(before)
                 after = replace(after, relation=self.precedents.relation(at), container=at)
             befores.append(before)
             afters.append(after)
         evidence.weigh(evidence.states)
+        leaving = [node for node in befores if at is not None and node.container != at]
         left, gone = self.nodes.sources(leaving)
         said = [name for name in action.instruments or tools if name not in {at, *(node.label for node in left)}]
         held = [filled(vessel[0], [node.label for node in afters])] if vessel else []

@@ -108,26 +108,38 @@ def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood) -> 
     no units where none can make the food.
     """
     bare = ObjectNode(want.object, (want.state,) if want.state else ())
-    outputs = {node for known in knowledge.index.units for node in known.unit.output_nodes}
-    nodes = {node for node in outputs if node.label == food.label and food.state in node.states}
-    pure = {node for node in nodes if set(knowledge.kitchen.foods_in(node)) <= {food.label}}
+    nodes = _made_as(food, knowledge)
     if knowledge.kitchen.has(bare) or not nodes:
         return FinalTree(bare)
     try:
-        tree = retrieve(SearchProblem(knowledge.index, tuple(pure or nodes)), time_limit=None)
+        tree = retrieve(SearchProblem(knowledge.index, nodes), time_limit=None)
     except NoWayError:
         return FinalTree(bare)
-    rows = [(-row.count, row.motion) for row in knowledge.vocabulary.motions if row.state == want.state]
+    motion = _usual_motion(want.state, knowledge.vocabulary) if food.state != want.state else None
     found, units = list(food.substitutions), list[TreeUnit]()
     for known in tree.units:
         unit = TreeUnit.of(known.unit, "foon", known.seen_in)
         now = _changed(unit, lambda node: _renamed(node, want, food))
-        if rows and food.state != want.state and _gives(unit, food) and min(rows)[1] != unit.motion:
-            now = replace(now, step=replace(now.step, motion=min(rows)[1]))
-            like = _nearest(now.motion, [unit.motion], knowledge.similarity)
-            found.append(_substitution("motion", want, now.motion, like))
+        if motion is not None and motion != unit.motion and _gives(unit, food):
+            now = replace(now, step=replace(now.step, motion=motion))
+            like = _nearest(motion, [unit.motion], knowledge.similarity)
+            found.append(_substitution("motion", want, motion, like))
         units.append(now if now == unit else replace(now, origin="adapted"))
     return FinalTree(_renamed(tree.goal, want, food), tuple(units), tuple(found))
+
+
+def _made_as(food: MadeFood, knowledge: Knowledge) -> tuple[ObjectNode, ...]:
+    """Return the object nodes of the FOON's units that are ``food``; those of nothing else, where there are any."""
+    outputs = {node for known in knowledge.index.units for node in known.unit.output_nodes}
+    nodes = {node for node in outputs if node.label == food.label and food.state in node.states}
+    pure = {node for node in nodes if set(knowledge.kitchen.foods_in(node)) <= {food.label}}
+    return tuple(pure or nodes)
+
+
+def _usual_motion(state: str, vocabulary: Vocabulary) -> str | None:
+    """Return the motion that most often gives a state to any food, ties by name; ``None`` where none gives it."""
+    rows = [(-row.count, row.motion) for row in vocabulary.motions if row.state == state]
+    return min(rows)[1] if rows else None
 
 
 def _gives(unit: TreeUnit, food: MadeFood) -> bool:

@@ -64,21 +64,32 @@ def _brackets(pieces: Sequence[Token]) -> Iterator[_Bracket]:
 
 def _turns(pieces: Sequence[Token], bracket: _Bracket) -> Iterator[Around]:
     """Return what makes the list expression in a bracket one that can be ended; nothing where there is none."""
-    caller, own = _caller(pieces, bracket), bracket.own
-    if caller in _REDUCING:
-        own = own[next((n + 1 for n, place in enumerate(own) if pieces[place].text == ","), len(own)) :]
-    elif pieces[bracket.opened].text != "[" and caller not in _JUDGING:
-        return
-    if len(own) < 2 or not pieces[own[0]].name or pieces[own[1]].lower != "in":  # noqa: PLR2004 - a name, and IN
+    caller = _caller(pieces, bracket)
+    own = _list_expression(pieces, bracket, caller)
+    if not own:
         return
     where = next((place for place in own[2:] if pieces[place].lower == "where"), None)
+    bar = _bar(pieces, own)
     if where:
-        until = None if caller in _JUDGING else _bar(pieces, own)
-        yield _condition(pieces, own, where, until or bracket.closed)
-    elif bar := _bar(pieces, own):
+        condition_ends = bracket.closed if caller in _JUDGING or bar is None else bar
+        yield _condition(pieces, own, where, condition_ends)
+    elif bar:
         if any(pieces[place].text == ":" and place < bar for place in own):
             raise too_much("a label stands bare in a list expression", hint="Put it into brackets: (n:A|B).")
         yield _looked(bar, next((p for p in own if p > bar and pieces[p].text == ","), bracket.closed))
+
+
+def _list_expression(pieces: Sequence[Token], bracket: _Bracket, caller: str) -> Sequence[int]:
+    """Return the places of ``x IN …`` in a bracket, without what ``reduce`` has before it; none where it is no such."""
+    own = bracket.own
+    if caller in _REDUCING:
+        comma = next((n for n, place in enumerate(own) if pieces[place].text == ","), len(own))
+        own = own[comma + 1 :]
+    elif pieces[bracket.opened].text != "[" and caller not in _JUDGING:
+        return ()
+    if len(own) < 2 or not pieces[own[0]].name or pieces[own[1]].lower != "in":  # noqa: PLR2004 - a name, and IN
+        return ()
+    return own
 
 
 def _looked(after: int, until: int) -> Around:

@@ -1,0 +1,119 @@
+"""A glaze, a topping, a sauce, what is strewn below or served beside: made apart, and joined where it belongs."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, inside, motions
+
+pytestmark = pytest.mark.shared_data
+
+COOKIES = ("butter:softened", "sugar:granulated", "egg:uncooked", "flour:powder", "salt:granulated")
+
+
+def test_fine_sugar_and_what_is_listed_beside_it_make_a_glaze_for_what_is_baked_and_cold(steps):
+    told = steps("cookie", "Almond Cookies", *COOKIES, "powdered sugar:powder", "milk:liquid")
+    assert {"powdered sugar", "milk"}.isdisjoint(inside(told, "bake"))
+    assert first(told, "mixture", "pour") > motions(told).index("cool down")
+    (stirred,) = [inputs for inputs, motion, _ in told if motion == "stir"]
+    assert {"powdered sugar", "milk"} <= stirred
+
+
+def test_milk_that_is_not_listed_beside_the_fine_sugar_is_for_the_dough(steps):
+    told = steps("cookie", "Almond Cookies", "milk:liquid", *COOKIES, "powdered sugar:powder")
+    assert "milk" in inside(told, "bake")
+    assert "powdered sugar" not in inside(told, "bake")
+
+
+def test_shaped_dough_is_turned_in_what_is_for_rolling_before_it_is_baked(steps):
+    told = steps("cookie", "Molasses Crinkles", "brown sugar:granulated", *COOKIES, "sugar:granulated:rolling")
+    assert motions(told).index("shape") < motions(told).index("dip") < motions(told).index("bake")
+    assert "sugar" in inside(told, "dip")
+
+
+def test_what_is_for_the_pan_lies_below_the_dough(steps):
+    asked = ("pizza dough:whole", "olive oil:liquid", "mozzarella:shredded", "cornmeal:ground:pan")
+    told = steps("pizza", "White Pizza", *asked)
+    pans = [outputs for _, _, outputs in told if any(node.label == "pizza pan" for node in outputs)]
+    (pan,) = [node for node in pans[0] if node.label == "pizza pan"]
+    assert pan.ingredients == ("cornmeal",)
+
+
+def test_crumbs_come_in_butter_on_what_is_baked(steps):
+    asked = ("cod fillet:raw", "salt:granulated", "cracker:crushed", "butter:melted")
+    told = steps("seafood", "Baked Cod with Buttery Cracker Topping", *asked)
+    assert {"cracker", "butter"} <= inside(told, "mix")
+    assert "cod fillet" not in inside(told, "mix")
+    assert "cracker" in inside(told, "bake")
+
+
+def test_a_title_promises_a_cold_sauce_that_comes_on_what_is_done(steps):
+    meat = ("ground lamb:raw", "breadcrumb:crumbs", "egg:uncooked", "salt:granulated", "olive oil:liquid")
+    told = steps("meatball", "Lamb Meatballs with Yogurt Sauce", *meat, "yogurt:creamy", "lemon juice:juice")
+    assert inside(told, "stir") == {"yogurt", "lemon juice"}
+    assert first(told, "mixture", "pour") > max(place for place, one in enumerate(motions(told)) if one == "cook")
+
+
+def test_a_second_crust_and_what_is_brushed_and_strewn_on_it(steps):
+    told = steps(
+        "pie", "Rhubarb Pie", "pastry for a double-crust pie:raw", "rhubarb:cut", "sugar:granulated", "flour:powder",
+        "egg white:beaten", "coarse sugar:granulated",
+    )  # fmt: skip
+    crusts = [p for p, (inputs, one, _) in enumerate(told) if "packet" in inputs and one == "pick-and-place"]
+    assert len(crusts) == 2
+    assert crusts[-1] < first(told, "egg white", "brush") < first(told, "coarse sugar", "pour")
+
+
+def test_what_is_for_serving_is_not_cooked_with_the_rest(steps):
+    told = steps(
+        "drinks", "Hot Chocolate", "milk:liquid", "cocoa:powder", "sugar:granulated", "marshmallow:pieces:topping"
+    )
+    assert first(told, "marshmallow", motions(told)[-1]) == len(told) - 1
+
+
+def test_balls_are_done_in_the_sauce_that_a_recipe_lists_after_them(steps):
+    told = steps(
+        "meatball", "Porcupine Meatballs", "ground beef:raw", "long-grain rice:uncooked", "onion:chopped",
+        "salt:granulated", "tomato sauce:sauce", "water:liquid", "worcestershire sauce:sauce",
+    )  # fmt: skip
+    assert inside(told, "mix") == {"ground beef", "long-grain rice", "onion", "salt"}
+    (simmered,) = [inputs for inputs, motion, _ in told if motion == "simmer"]
+    assert {"tomato sauce", "water", "worcestershire sauce"} <= simmered
+
+
+def test_milk_that_is_listed_beside_the_crumbs_soaks_them(steps):
+    meat = ("ground chicken:raw", "breadcrumb:crumbs", "milk:liquid", "egg:uncooked", "salt:granulated")
+    assert "milk" in inside(steps("meatball", "Chicken Meatballs", *meat), "mix")
+
+
+def test_what_is_listed_with_the_meat_is_in_the_patties_and_what_follows_the_bread_lies_on_them(steps):
+    told = steps(
+        "burger", "Blue Cheese Burgers", "ground beef:raw", "blue cheese:crumbled", "salt:granulated",
+        "hamburger bun:plain", "lettuce:leaves",
+    )  # fmt: skip
+    assert inside(told, "mix") == {"ground beef", "blue cheese", "salt"}
+
+
+def test_tough_flesh_is_braised_before_it_lies_on_bread(steps):
+    told = steps(
+        "sandwich", "Italian Beef Sandwiches", "chuck roast:raw", "beef broth:liquid", "bay leaf:dried",
+        "salt:granulated", "hoagie roll:split",
+    )  # fmt: skip
+    (simmered,) = [inputs for inputs, motion, _ in told if motion == "simmer"]
+    assert {"chuck roast", "beef broth", "bay leaf"} <= simmered
+
+
+def test_grain_is_soaked_in_boiling_water_and_cold_before_yeast_meets_it(steps):
+    told = steps(
+        "bread", "Honey Oat Bread", "oats:rolled", "water:boiling", "honey:thick liquid", "yeast:powder",
+        "bread flour:powder", "salt:granulated",
+    )  # fmt: skip
+    assert motions(told).index("stir") < motions(told).index("cool down") < first(told, "yeast", "pour")
+
+
+def test_what_a_recipe_says_is_for_the_filling_is_not_in_the_dough(steps):
+    told = steps(
+        "cake", "Cinnamon Rolls", "yeast:powder", "milk:liquid", "sugar:granulated", "butter:melted", "flour:powder",
+        "brown sugar:granulated:filling", "cinnamon:ground:filling", "butter:softened:filling",
+    )  # fmt: skip
+    assert inside(told, "mix") == {"brown sugar", "cinnamon", "butter"}
+    assert {"brown sugar", "cinnamon"}.isdisjoint(inside(told, "knead"))

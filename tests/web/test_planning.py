@@ -1,0 +1,31 @@
+"""What a planning process does before it is asked changes no answer."""
+
+from __future__ import annotations
+
+from pictures.demo_plans import demo_foon
+
+from foon_kg.web.planning import PlanningDesk
+from foon_kg.web.questions import PlanQuestion
+
+QUESTIONS = [
+    PlanQuestion("salad", ("sliced kohlrabi", "chopped onion")),
+    PlanQuestion("", ("whole egg", "milk")),
+    PlanQuestion("drinks", ("orange juice",), explain=True),
+]
+
+
+def test_practice_changes_no_answer():
+    fresh, practised = PlanningDesk(demo_foon()), PlanningDesk(demo_foon())
+    practised.get_ready()
+    dishes = list(practised.practise())
+    assert len(dishes) > 5
+    assert len({dish.dish_type for dish in dishes[:5]}) > 1  # what was begun serves questions of all types
+    assert [practised.answer(question) for question in QUESTIONS] == [fresh.answer(question) for question in QUESTIONS]
+
+
+def test_practice_can_be_left_at_any_dish():
+    desk = PlanningDesk(demo_foon())
+    practice = desk.practise()
+    first, answer, second = next(practice), desk.answer(QUESTIONS[0]), next(practice)
+    assert first != second
+    assert answer == PlanningDesk(demo_foon()).answer(QUESTIONS[0])
