@@ -61,7 +61,7 @@ class Captions(Iterable[Narration]):
 
 
 def read_captions(path: Path) -> NarratedFile:
-    """Return the videos of a JSON file, the sentences of each sorted by their starts. Never raises.
+    """Return the videos of the JSON file ``path``, the sentences of each sorted by their starts. Never raises.
 
     A sentence that cannot be used is left out and told with its video; a time that cannot be is left out and told.
     """

@@ -23,7 +23,10 @@ class TableRow:
 
 
 def columns_of(text: str) -> tuple[str, ...]:
-    """Return the names on the first line of a table, in small letters; none where that line is no row."""
+    """Return the names on the first line of the ``text`` of a table, in small letters.
+
+    None where that line is no row.
+    """
     first = text.removeprefix("\ufeff").splitlines()[:1]
     try:
         return _names(next(csv.reader(first), []))
@@ -32,7 +35,7 @@ def columns_of(text: str) -> tuple[str, ...]:
 
 
 def table_rows(text: str) -> Iterator[TableRow]:
-    """Yield each row that is not empty; a byte order mark is passed over.
+    """Yield each row of the ``text`` of a table that is not empty; a byte order mark is passed over.
 
     Raises UnreadableFile with the line on which the row begins that is none: in which a quote never ends, say.
     """

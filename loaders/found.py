@@ -13,7 +13,7 @@ _ENDINGS = (".txt", ".json", ".lisp")
 
 
 def is_foreign(path: Path) -> bool:
-    """Return whether a plug-in reads files with this ending, and not foon-kg itself."""
+    """Return whether a plug-in reads files with the ending of ``path``, and not foon-kg itself."""
     ending = path.suffix.lower()
     return ending not in _ENDINGS and ending.removeprefix(".") in names(LOADERS)
 

@@ -25,7 +25,10 @@ class Document:
 
 
 def parse_document(text: str) -> Document:
-    """Return the parts of ``[unit, …]`` or ``{"units": [unit, …], …}``. Raises ``UnreadableFile`` for anything else."""
+    """Return the parts of a ``text`` ``[unit, …]`` or ``{"units": [unit, …], …}``.
+
+    Raises ``UnreadableFile`` for any other.
+    """
     cursor = _Cursor(text)
     if cursor.peek() == "[":
         document = Document(tuple(cursor.items()), {})
@@ -92,7 +95,7 @@ _LONGEST_VALUE = 1 << 26
 
 
 def ends_early(error: json.JSONDecodeError) -> bool:
-    """Return whether the text is JSON as far as it goes."""
+    """Return whether a text is JSON as far as it goes, by the ``error`` that reading it raised."""
     return error.msg.startswith("Unterminated string") or not error.doc[error.pos :].strip()
 
 

@@ -27,7 +27,7 @@ def write_json(subgraph: Subgraph) -> str:
 
 
 def annotation_to_json(annotation: Annotation) -> JsonObject:
-    """Return one unit with its time."""
+    """Return one unit with its time (``annotation``) as an object of JSON."""
     unit, timing = annotation.unit, annotation.timing
     return {
         "input_nodes": [_participant_to_json(one) for one in unit.inputs],

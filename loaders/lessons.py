@@ -30,7 +30,7 @@ def is_drafts_file(path: Path) -> bool:
 
 
 def read_drafted(paths: Iterable[Path]) -> Iterator[DraftedRecipe]:
-    """Yield the drafted recipes of files, in their order, those that could not be drafted too.
+    """Yield the drafted recipes of the files ``paths``, in their order, those that could not be drafted too.
 
     Raises :class:`~foon_kg.model.errors.ReadError` with the line for what is none.
     """

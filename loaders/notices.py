@@ -156,20 +156,23 @@ class Journal:
         self._notices: list[Notice] = []
 
     def remark(self, line: int | None, remark: Remark) -> None:
-        """Note something odd that was read all the same."""
+        """Note a ``remark`` on a ``line`` (from 1.
+
+        ``None`` for the whole file): something odd that was read all the same.
+        """
         self._notices.append(Notice(self._file, line, remark.kind, remark.message, remark.action))
 
     def reject(self, line: int | None, problem: Problem) -> None:
-        """Note that a unit is left out."""
+        """Note that a unit is left out for a ``problem`` in a ``line`` (from 1; ``None`` for the whole file)."""
         self._add_rejected(line, problem, "unit rejected")
 
     def reject_file(self, line: int | None, problem: Problem) -> ReadResult:
-        """Return the result of a file that cannot be used at all."""
+        """Return the result of a file that cannot be used at all, for a ``problem`` in a ``line`` (from 1)."""
         self._add_rejected(line, problem, "file rejected")
         return self._ended(None)
 
     def reject_unread(self, error: UnreadableFile | OSError) -> ReadResult:
-        """Return the result of a file that cannot be opened, or whose content is not what it should be."""
+        """Return the result of a file that raised ``error``: it cannot be opened, or has not what it should have."""
         if isinstance(error, UnreadableFile):
             return self.reject_file(error.line, error.problem)
         return self.reject_file(None, Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}"))

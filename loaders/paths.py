@@ -11,7 +11,6 @@ from pathlib import Path
 
 from foon_kg.loaders.found import foon_files
 from foon_kg.loaders.json_reader import read_json
-from foon_kg.loaders.muhai import read_muhai_file
 from foon_kg.loaders.notices import Journal, Notice, NoticeKind, Problem, ReadResult, UnreadableFile
 from foon_kg.loaders.text_blocks import CONTROL
 from foon_kg.loaders.text_reader import TextReader
@@ -69,6 +68,8 @@ def _copy(first: ReadResult, second: ReadResult) -> ReadResult:
 
 def _read_file(path: Path, reader: TextReader) -> ReadResult:
     if path.suffix.lower() == ".lisp":
+        from foon_kg.loaders.muhai import read_muhai_file  # noqa: PLC0415 - few read MUHAI's recipes
+
         return read_muhai_file(path)
     try:
         text = decode(read_bytes(path))
@@ -109,7 +110,10 @@ def _printable(path: Path) -> str:
 
 
 def decode(data: bytes) -> str:
-    """Return the text of a file. Raises ``UnreadableFile`` with line and byte position where it is no UTF-8 text."""
+    """Return ``data``, the bytes of a file, as text.
+
+    Raises ``UnreadableFile`` with line and byte position where it is no UTF-8 text.
+    """
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:

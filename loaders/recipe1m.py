@@ -141,7 +141,7 @@ def _problem(value: object) -> tuple[NoticeKind, str] | None:
 
 
 def count_problem(count: int) -> tuple[NoticeKind, str] | None:
-    """Return why no recipe has so many ingredients, ``None`` where one may."""
+    """Return why no recipe has ``count`` ingredients, ``None`` where one may."""
     if not count:
         return NoticeKind.NO_INGREDIENTS, "it has no ingredients"
     if count > MOST_INGREDIENTS:
@@ -150,7 +150,7 @@ def count_problem(count: int) -> tuple[NoticeKind, str] | None:
 
 
 def instructions_of(value: object) -> tuple[str, ...]:
-    """Return the steps that a field lists, as texts or as {text}; what is neither is no step."""
+    """Return the steps that a field (``value``) lists, as texts or as {text}; what is neither is no step."""
     listed = value if isinstance(value, list) else value.splitlines() if isinstance(value, str) else []
     texts = (one.get("text") if isinstance(one, dict) else one for one in listed)
     steps = (" ".join(text.split()) for text in texts if isinstance(text, str) and half_character(text) is None)

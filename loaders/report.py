@@ -11,7 +11,7 @@ from foon_kg.loaders.notices import Notice, NoticeKind, Severity
 
 
 def write_report(notices: Iterable[Notice], stream: TextIO) -> int:
-    """Write one JSON object a notice and line (``foon load foon --report FILE``); return how many."""
+    """Write ``notices`` to ``stream``, one JSON object a line (``foon load foon --report FILE``); return how many."""
     count = 0
     for notice in notices:
         stream.write(json.dumps(notice.to_json(), ensure_ascii=True) + "\n")
@@ -27,5 +27,5 @@ def count_by_kind(notices: Iterable[Notice]) -> dict[tuple[Severity, NoticeKind]
 
 
 def summary(notices: Iterable[Notice]) -> tuple[str, ...]:
-    """Return a line a kind for people: ``rejected: 1 two-motions``, ``assumed: 33 name-twice``."""
+    """Return ``notices`` for people, a line a kind: ``rejected: 1 two-motions``, ``assumed: 33 name-twice``."""
     return tuple(f"{severity}: {count} {kind}" for (severity, kind), count in count_by_kind(notices).items())

@@ -80,7 +80,7 @@ def fold(text: str) -> str:
 
 
 def read_line(text: str) -> Line:
-    """Read one line, without its line end."""
+    """Return what a line says, given as ``text`` without its line end."""
     if match := _WITH_COLUMNS.fullmatch(text):
         columns = [fold(column) for column in match[2].split("\t")]
         return _READERS[match[1]](columns)

@@ -125,7 +125,7 @@ def is_time(value: object) -> TypeGuard[float]:
 
 
 def write_timing(timing: Timing) -> str:
-    """Return the canonical column: ``<Assumed>``, ``<1:10-1:11.5,2:00-2:04>``, or nothing where nothing is known."""
+    """Return ``timing`` as the canonical column: ``<Assumed>``, ``<1:10-1:11.5,2:00-2:04>``; nothing for none."""
     parts = ["Assumed"] if timing.assumed else []
     parts += [f"{_clock(start)}-{_clock(end)}" for start, end in timing.spans]
     return f"<{','.join(parts)}>" if parts else ""

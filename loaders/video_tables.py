@@ -101,7 +101,7 @@ def read_video_text(text: str, name: str, file: str = "") -> tuple[ReadResult, .
 
 
 def read_thing(text: str) -> Participant | None:
-    """Return the participant that a part of a cell names, ``None`` where it names none.
+    """Return the participant that the ``text`` of a part of a cell names, ``None`` where it names none.
 
     >>> str(read_thing("*onion (chopped, peeled) on cutting board").node)
     'onion (chopped, peeled; on cutting board)'
@@ -170,7 +170,10 @@ def _annotation(told: TableRow, journal: Journal, *, hours: bool) -> Annotation 
 
 
 def row_timing(start: str, end: str, *, hours: bool) -> tuple[Timing, tuple[Remark, ...]]:
-    """Return the time of a row; one that no video can have is left out and remarked on."""
+    """Return the time of a row by its ``start`` and ``end``; one that no video can have is left out and remarked on.
+
+    ``hours`` says that 1:10 is an hour and ten minutes.
+    """
     if early := [time for time in (start, end) if time.startswith("-")]:
         return Timing(), (
             Remark(NoticeKind.ODD_TIME, f"{early[0]} is before the video begins", "the time is left out"),

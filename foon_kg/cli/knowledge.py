@@ -12,6 +12,7 @@ from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.foon import Foon
+    from foon_kg.loaders.notices import ReadResult
     from foon_kg.model import Subgraph
     from foon_kg.model.drafted import Lesson
     from foon_kg.store.graph import GraphView
@@ -51,9 +52,7 @@ def subgraphs_of(paths: Sequence[Path], say: Say) -> list[Subgraph]:
 
     What their files have wrong is counted for ``say``, and so are words of which no table knows anything.
     """
-    from foon_kg.cli.loading import in_short
     from foon_kg.cli.runs import counting
-    from foon_kg.food.unknown import unknown_words
     from foon_kg.loaders.lessons import is_drafts_file
     from foon_kg.loaders.video_tables import read_videos
 
@@ -66,16 +65,23 @@ def subgraphs_of(paths: Sequence[Path], say: Say) -> list[Subgraph]:
         for result in read_videos(subgraph_paths):
             results.append(result)
             advance(1)
-    notices = [notice for result in results for notice in result.notices]
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     if not subgraphs:
         names = ", ".join(map(str, paths))
         raise UsageError(f"no subgraph in {names}", hint="--files names folders with FOON text or JSON files.")
+    if odd := _oddities(results, subgraphs):
+        say(f"{odd} in these files (foon load foon --report FILE lists them)")
+    return subgraphs
+
+
+def _oddities(results: Sequence[ReadResult], subgraphs: Sequence[Subgraph]) -> str:
+    """Return in short how many lines were left out or mended, and how many words no table knows; ``""`` for none."""
+    from foon_kg.cli.loading import in_short
+    from foon_kg.food.unknown import unknown_words
+
     units = [one.unit for subgraph in subgraphs for one in subgraph.annotations]
     nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
     words = unknown_words(nodes, [unit.motion for unit in units])
+    notices = [notice for result in results for notice in result.notices]
     skipped = sum(str(notice.severity) == "rejected" for notice in notices)
-    odd = in_short(skipped, len(notices) - skipped, sum(not word.nearly for word in words))
-    if odd:
-        say(f"{odd} in these files (foon load foon --report FILE lists them)")
-    return subgraphs
+    return in_short(skipped, len(notices) - skipped, sum(not word.nearly for word in words))

@@ -33,7 +33,7 @@ class Agreement:
 
 
 def agreement(first: Sequence[int], second: Sequence[int]) -> Agreement:
-    """Return how far two raters agree on the same lines, in one order.
+    """Return how far two raters agree: the ``first`` and the ``second`` scored the same lines, in one order.
 
     Cohen (1968): 1 - sum(w * observed) / sum(w * expected), with w = |i - j|. Raises ValueError where the raters did
     not score equally many lines, or none.

@@ -87,7 +87,10 @@ class Comparison:
 
 
 def compare(before: Mapping[CaseKey, float], after: Mapping[CaseKey, float], seed: int) -> Comparison:
-    """Compare two evaluations by the share of each of their questions."""
+    """Return what changed from ``before`` to ``after``, each with the share (0 to 1) of every question.
+
+    ``seed`` draws the samples of the interval.
+    """
     both = sorted(before.keys() & after.keys())
     changes = tuple(Change(*key, before[key], after[key]) for key in both)
     difference = paired_difference([c.after for c in changes], [c.before for c in changes], seed)
@@ -95,7 +98,10 @@ def compare(before: Mapping[CaseKey, float], after: Mapping[CaseKey, float], see
 
 
 def shares_of(value: JsonObject, where: str) -> dict[CaseKey, float]:
-    """Return the share of each question of an evaluation in JSON; raises ReadError for anything else."""
+    """Return the share of each question of an evaluation in JSON (``value``); raises ReadError for anything else.
+
+    ``where`` names the document in messages.
+    """
     fields = Fields(value, where)
     share = _SHARES[fields.one_of("evaluation", tuple(_SHARES))]
     shares: dict[CaseKey, float] = {}
@@ -108,7 +114,10 @@ def shares_of(value: JsonObject, where: str) -> dict[CaseKey, float]:
 
 
 def read_evaluation(path: Path, kind: str) -> JsonObject:
-    """Read what an evaluation of ``kind`` printed with ``--json``; raises ReadError or UsageError with the file."""
+    """Return what an evaluation of ``kind`` printed to the file ``path`` with ``--json``.
+
+    Raises ReadError or UsageError with the file.
+    """
     try:
         value = json_value(read_text(path, "utf-8"))
     except json.JSONDecodeError as error:

@@ -63,9 +63,9 @@ def unit_graph(units: Sequence[FunctionalUnit], names: Sequence[Hashable]) -> Un
 
 
 def edit_distance(one: UnitGraph, other: UnitGraph, *, most_steps: int = MOST_STEPS) -> EditDistance:
-    """Return the edit distance of two graphs by branch and bound over the units that have one name.
+    """Return how many edits make one graph the other, by branch and bound over the units that have one name.
 
-    Of a search that is given up the least distance found so far is answered, as not ``proven``.
+    Of a search that is given up after ``most_steps`` the least distance found so far is answered, as not ``proven``.
     """
     search = _Search(one, other, most_steps)
     search.run()

@@ -24,7 +24,7 @@ class Examiner:
         self.rule = Rule(vocabulary, kitchen)
 
     def examine(self, outcome: PlanResult | PlanFailure) -> RecipeFigures:
-        """Return the figures of one answer; a recipe without a tree has nothing correct, and nobody accepts it."""
+        """Return the figures of one ``outcome``; a recipe without a tree has nothing correct, and nobody accepts it."""
         recipe = outcome.recipe
         if isinstance(outcome, PlanFailure):
             return RecipeFigures(recipe, without_tree(recipe.ingredients), error=outcome.message)

@@ -31,7 +31,10 @@ def asking_without(
 
 
 def planned_without(subgraphs: Sequence[Subgraph], kitchen: Kitchen, video: VideoFigures) -> PlanResult:
-    """Return the tree that foon-kg makes for a video without it; raises NoTreeError where there is none."""
+    """Return the tree that foon-kg makes for a ``video`` of the others among ``subgraphs``, in this ``kitchen``.
+
+    Raises NoTreeError where there is none.
+    """
     rest, recipe = _left(subgraphs, kitchen, video.recipe)
     return Planner(rest, PlanSettings()).plan(recipe)
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, RequiredIngredient, Subgraph
+from foon_kg.model.tree import newly_made
 from foon_kg.plans.kitchen import Kitchen, is_place, singular, words
 from foon_kg.store.snapshot import goals_of
 
@@ -91,12 +92,13 @@ def joining_state(units: Sequence[FunctionalUnit], name: str, goal: ObjectNode, 
     food, got, joined = singular(name), dict[str, int](), None
     for place, unit in enumerate(units):
         taken = [node for node in unit.input_nodes if kitchen.is_food(node) and singular(node.label) == food]
-        for state in (state for node in taken for state in node.states):
-            got.setdefault(state, place)
-        if taken:
-            joined = taken[-1]
-            if any(_takes_up(node, food, goal, kitchen) for node in unit.output_nodes if node not in unit.input_nodes):
-                break
+        if not taken:
+            continue
+        joined = taken[-1]
+        for node in taken:
+            got = dict.fromkeys(node.states, place) | got  # the first time counts
+        if any(_takes_up(node, food, goal, kitchen) for node in newly_made(unit)):
+            break
     if joined is None:
         return RequiredIngredient(name, "")
     made = kitchen.processed_states(joined)

@@ -41,7 +41,10 @@ class SameName:
 
 
 def nearest_recipe(view: TeachingView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Return the reference tree of the goal whose ingredients are most like those of ``recipe``, unchanged."""
+    """Return the reference tree of the goal in ``view`` whose ingredients are most like those of ``recipe``, unchanged.
+
+    A baseline. Raises NoTreeError where no goal is of its dish type.
+    """
     goals = view.goals(recipe.dish_type or None)
     if not goals:
         raise NoTreeError(f"this FOON has no {recipe.dish_type}", code="no-goal")
@@ -55,7 +58,7 @@ def nearest_recipe(view: TeachingView, recipe: Recipe) -> Sequence[FunctionalUni
 
 
 def by_the_paper(view: TeachingView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Return the tree that the four algorithms of the paper make, to the letter."""
+    """Return the tree for ``recipe`` that the four algorithms of the paper make of ``view``, to the letter."""
     return [unit.as_unit() for unit in plan_by_the_paper(view, recipe).units]
 
 

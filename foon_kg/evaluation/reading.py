@@ -62,7 +62,7 @@ class ReadingTree:
 
 
 def planned_trees(path: Path) -> tuple[ReadingTree, ...]:
-    """Read plan results (JSON Lines).
+    """Return the plan results (JSON Lines) of the file ``path``.
 
     Raises ReadError with file and line for what is no plan result of a recipe.
     """
@@ -79,7 +79,7 @@ def planned_trees(path: Path) -> tuple[ReadingTree, ...]:
 
 
 def video_trees(subgraphs: Iterable[Subgraph], kitchen: Kitchen) -> dict[str, TaskTree]:
-    """Return the videos that mark a dish, each with the recipe that it answers, by name."""
+    """Return those of ``subgraphs`` that mark a dish, each with the recipe that it answers in ``kitchen``, by name."""
     asked = ((subgraph, left_out_video(subgraph, kitchen)) for subgraph in subgraphs)
     return {one.name: tree_from_subgraph(one, video.recipe) for one, video in asked if video is not None}
 
@@ -117,12 +117,18 @@ def draw(
 
 
 def key_to_json(seed: int, trees: Sequence[ReadingTree]) -> JsonObject:
-    """Return the key of a draw: which tree has which number, with the plans, so that the judge sees what was read."""
+    """Return the key of a draw (of this ``seed``): which of ``trees`` has which number.
+
+    It holds the plans, so that the judge sees what was read.
+    """
     return {"seed": seed, "trees": [{"number": n, **tree.to_json()} for n, tree in enumerate(trees, start=1)]}
 
 
 def read_key(path: Path) -> tuple[ReadingTree, ...]:
-    """Read the trees of a key, in the order of their numbers; raises ReadError where it is none."""
+    """Return the trees of the key in the file ``path``, in the order of their numbers.
+
+    Raises ReadError where it is none.
+    """
     fields = Fields(_json(read_text(path), str(path)), str(path))
     return tuple(
         _of_key(value, number, f"{path}: trees[{number - 1}]") for number, value in enumerate(fields.items("trees"), 1)
@@ -130,7 +136,7 @@ def read_key(path: Path) -> tuple[ReadingTree, ...]:
 
 
 def names_in(path: Path) -> frozenset[str]:
-    """Return the names of the trees in a key, or in a plain JSON list of names: what is not to be drawn again."""
+    """Return the names of the trees in the key at ``path``, or in a plain JSON list: what is not to be drawn again."""
     value = _json(read_text(path), str(path))
     if isinstance(value, list) and all(isinstance(name, str) for name in value):
         return frozenset(value)
@@ -138,7 +144,7 @@ def names_in(path: Path) -> frozenset[str]:
 
 
 def read_text(path: Path) -> str:
-    """Return the text of a file; raises ReadError where it is none."""
+    """Return the text of the file ``path``; raises ReadError where it is none."""
     try:
         return regular_files.read_text(path)
     except (OSError, UnicodeDecodeError) as error:

@@ -109,7 +109,10 @@ class Reading:
 
 
 def judged(report: Report) -> Verdict:
-    """Return what the judge says, in a reader's form: its words are the rules broken, the fatal ones first."""
+    """Return what the judge says in its ``report``, in a reader's form.
+
+    Its words are the rules broken, the fatal ones first.
+    """
     minor = [finding.rule for finding in report.findings if finding.minor]
     rules = dict.fromkeys(minor)
     told = [", ".join(report.fatal)] if report.fatal else []
@@ -118,7 +121,7 @@ def judged(report: Report) -> Verdict:
 
 
 def compare(trees: Sequence[ReadingTree], readers: Sequence[Sheet], judge: Sheet | None = None) -> Reading:
-    """Return the figures of a reading; every sheet has the verdicts of ``trees`` in their order.
+    """Return the figures of a reading; each sheet, the judge's too, has the verdicts of ``trees`` in their order.
 
     Raises ValueError where there is no reader or a sheet has not as many verdicts as there are trees.
     """

@@ -16,7 +16,7 @@ from foon_kg.model.tree import TaskTree, TreeUnit
 
 
 def words_in(path: Path) -> str:
-    """Return what a reader is told: the quoted lines (``>``) of a Markdown file, word for word, without their marks.
+    """Return what a reader is told: the quoted lines (``>``) of the Markdown file ``path``, without their marks.
 
     Raises ReadError where nothing is quoted.
     """

@@ -60,9 +60,9 @@ def bootstrap_mean(values: Sequence[float], seed: int, weights: Sequence[float] 
 
 
 def paired_difference(ours: Sequence[float], theirs: Sequence[float], seed: int) -> Interval:
-    """Return the mean of ``ours - theirs``, drawn in pairs: the same question answered by both.
+    """Return the mean of ``ours - theirs`` with its interval, drawn in pairs: the same question answered by both.
 
-    Raises ValueError where they are not equally many.
+    ``seed`` draws the samples. Raises ValueError where they are not equally many.
     """
     return bootstrap_mean([one - other for one, other in zip(ours, theirs, strict=True)], seed)
 

@@ -33,15 +33,15 @@ def known_enough(goals: Iterable[Goal]) -> dict[str, int]:
 
 
 def left_out(dish_types: Iterable[str], goals: Iterable[Goal]) -> tuple[LeftOut, ...]:
-    """Return which of the ``dish_types`` (one for each question) the FOON knows too little of, sorted by name."""
+    """Return which of the ``dish_types`` (one for each question) have too few ``goals``, sorted by name."""
     known, asked = Counter(goal.dish_type for goal in goals), Counter(dish_types)
     return tuple(LeftOut(name, known[name], asked[name]) for name in sorted(asked) if known[name] < FEWEST_GOALS)
 
 
 def drawn(names: Iterable[str], count: int, seed: int, dish_type: str) -> tuple[str, ...]:
-    """Return ``count`` of ``names`` drawn at random, sorted; all where there are not more.
+    """Return ``count`` of ``names`` drawn at random by ``seed``, sorted; all where there are not more.
 
-    Every dish type draws for itself, so that one more of them changes no other's sample.
+    Every ``dish_type`` draws for itself, so that one more of them changes no other's sample.
     """
     there = sorted(set(names))
     if len(there) <= count:
@@ -50,7 +50,7 @@ def drawn(names: Iterable[str], count: int, seed: int, dish_type: str) -> tuple[
 
 
 def sampled(recipes: Sequence[Recipe], count: int, seed: int) -> list[Recipe]:
-    """Return at most ``count`` recipes of each dish type, drawn by their ids, in their order."""
+    """Return at most ``count`` recipes of each dish type, drawn by their ids and ``seed``, in their order."""
     kept: set[tuple[str, str]] = set()
     for dish_type in sorted({recipe.dish_type for recipe in recipes}):
         names = (recipe.id or "" for recipe in recipes if recipe.dish_type == dish_type)

@@ -19,9 +19,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from foon_kg.model import FunctionalUnit, ObjectNode, RequiredIngredient
+from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
+from foon_kg.model.tree import leaves_of
 from foon_kg.plans.kitchen import Kitchen, singular
 from foon_kg.plans.progress import ProgressLine, ProgressStep, progress_lines
 from foon_kg.plans.result import PlanResult
@@ -76,7 +77,7 @@ class Rule:
         units = [unit.as_unit() for unit in result.units]
         asked = wanted(result.recipe.ingredients)
         kitchen = self.kitchen.with_foods(want.object for want in asked)
-        leaves = _leaves(units)
+        leaves = leaves_of(units)
         scores = []
         for want in asked:
             (line,) = progress_lines(units, result.goal, [want], kitchen)
@@ -103,17 +104,23 @@ class Rule:
 
 
 def without_tree(ingredients: Iterable[RequiredIngredient]) -> tuple[LineScore, ...]:
-    """Return the scores of a recipe that got no tree."""
+    """Return the scores of a recipe that got no tree: 0 for each of its ``ingredients``."""
     return tuple(LineScore(want, Reason.NO_TREE) for want in wanted(ingredients))
 
 
 def share_correct(scores: Sequence[int]) -> float:
-    """Return the sum of ``scores`` by the greatest that it could be; 0 for a recipe that names no ingredient."""
+    """Return the sum of ``scores`` (0 to 2) by the greatest that it could be.
+
+    0 for a recipe that names no ingredient.
+    """
     return sum(scores) / (MOST * len(scores)) if scores else 0.0
 
 
 def wanted(ingredients: Iterable[RequiredIngredient]) -> tuple[RequiredIngredient, ...]:
-    """Return each required food in each of its states once, as the planner does."""
+    """Return each of the ``ingredients`` once in each of its states, as the planner does.
+
+    Those without a food are left out.
+    """
     return tuple(dict.fromkeys(want for want in ingredients if want.object))
 
 
@@ -124,16 +131,6 @@ def _first_in_state(line: ProgressLine, food: str, state: str) -> int | None:
         if singular(step.object) == food and asked in map(canonical, step.states):
             return place
     return None
-
-
-def _leaves(units: Sequence[FunctionalUnit]) -> list[ObjectNode]:
-    """Return the inputs that no earlier unit outputs."""
-    made: set[ObjectNode] = set()
-    leaves: dict[ObjectNode, None] = {}
-    for unit in units:
-        leaves.update(dict.fromkeys(node for node in unit.input_nodes if node not in made))
-        made.update(unit.output_nodes)
-    return list(leaves)
 
 
 def _is(step: ProgressStep, node: ObjectNode) -> bool:

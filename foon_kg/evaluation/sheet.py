@@ -35,7 +35,7 @@ class FilledSheet:
 
 
 def write_sheet(recipes: Iterable[RecipeFigures]) -> str:
-    """Return the text of a sheet with every line of every tree, its score left open."""
+    """Return the text of a sheet with every line of every tree of ``recipes``, its score left open."""
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(COLUMNS)
@@ -92,7 +92,7 @@ def scored_by_both(recipes: Sequence[RecipeFigures], sheet: FilledSheet, path: P
 
 
 def line_key(recipe: RecipeFigures, food: str, state: str) -> LineKey:
-    """Return what names a line on the sheet."""
+    """Return what names a line on the sheet: the recipe, and the ``food`` with the ``state`` that it asks for."""
     return recipe.name, recipe.recipe.dish_type, food, state
 
 

@@ -41,7 +41,10 @@ NOTHING = Overlap(0.0, 0.0, 0.0, 0.0)
 
 
 def overlap(ours: Sequence[FunctionalUnit], truth: Sequence[FunctionalUnit], kitchen: Kitchen) -> Overlap:
-    """Return what the units ``ours`` and ``truth`` have in common; but for ``graph`` their order says nothing."""
+    """Return what the units ``ours`` and ``truth`` have in common; but for ``graph`` their order says nothing.
+
+    ``kitchen`` tells foods from utensils.
+    """
     one, other = ([(unit.motion, main_object(unit, kitchen)) for unit in units] for units in (ours, truth))
     names, true_names = list(map(_without_states, one)), list(map(_without_states, other))
     edits = edit_distance(unit_graph(ours, names), unit_graph(truth, true_names))
@@ -57,7 +60,8 @@ def overlap(ours: Sequence[FunctionalUnit], truth: Sequence[FunctionalUnit], kit
 def main_object(unit: FunctionalUnit, kitchen: Kitchen) -> ObjectNode | None:
     """Return what a unit is about: the first food that it takes, else the first vessel with food, else its first input.
 
-    Of these one that moves comes before one that does not: what is poured before what it is poured onto.
+    ``kitchen`` tells foods from utensils. Of these one that moves comes before one that does not: what is poured before
+    what it is poured onto.
     """
 
     def rank(place: int) -> tuple[int, bool, int]:
@@ -70,7 +74,10 @@ def main_object(unit: FunctionalUnit, kitchen: Kitchen) -> ObjectNode | None:
 
 
 def in_common(one: Counter[Hashable], other: Counter[Hashable]) -> float:
-    """Return intersection over union of two bags; two empty ones have nothing in common."""
+    """Return the intersection over union (0 to 1) of ``one`` bag and the ``other``.
+
+    Two empty ones have nothing in common.
+    """
     together = (one | other).total()
     return (one & other).total() / together if together else 0.0
 

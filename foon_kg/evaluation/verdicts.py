@@ -91,7 +91,7 @@ class Verdicts:
 
 
 def verdict_json(report: Report | None) -> JsonObject:
-    """Return what one entry of an evaluation says of its tree; ``None`` stands for no tree."""
+    """Return what an evaluation says of a tree by the judge's ``report``; ``None`` stands for no tree."""
     if report is None:
         return {**dict.fromkeys(("robot", "cook", "accepted", "form"), False), "broken": [], "fatal": []}
     return {

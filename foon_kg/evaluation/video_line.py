@@ -14,7 +14,7 @@ from foon_kg.model.node_json import recipe_to_json
 
 
 def to_line(figures: VideoFigures, foon: str) -> JsonObject:
-    """Return the line of a video; ``foon`` names the FOON from which it was left out."""
+    """Return the line of the ``figures`` of a video; ``foon`` names the FOON from which it was left out."""
     return {
         "recipe": recipe_to_json(figures.recipe),
         "foon": foon,

@@ -7,7 +7,7 @@ from foon_kg.model.claims import Substitution
 
 
 def handled(one: Substitution) -> str:
-    """Return how a food is handled, in words that follow its name.
+    """Return how the food of ``one`` substitution is handled, in words that follow its name.
 
     >>> handled(Substitution("object", "leeks", "leeks", "onion", 0.9))
     'are handled like onion'

@@ -140,11 +140,13 @@ class Alone:
     def _made_otherwise(self, join: Join) -> tuple[str, ...]:
         """Return how a food is cooked for which neither its video nor its kind is asked.
 
-        What a title calls roasted is baked, and flesh for a salad fried in one piece.
+        What a title calls roasted is baked, flesh for a salad fried whole, and what is divided then as it is asked.
         """
         want, spot = join.want, join.spot
         if want.roasted and not any("dry" in stage.does for stage in (spot.stage, *spot.after)):
             return tuple(sorted(word_list("is roasted by")))
+        if want.cooked and want.then:
+            return self._to_be_divided(want)
         heats = [stage for stage in (spot.stage, *spot.after) if not stage.does.isdisjoint(HEATS)]
         pan = bool(heats) and "dry" not in heats[0].does and not self.course.has_liquid(heats[:1])
         if pan and self._is_thick(want):
@@ -153,6 +155,13 @@ class Alone:
             return ("boil",)  # the grain would be mush when it is done
         whole = self.plan.in_pieces and is_portion(want, self.known)
         return ("cook",) if whole and not self.course.has_liquid([spot.stage]) else ()
+
+    def _to_be_divided(self, want: Want) -> tuple[str, ...]:
+        """Return how a food is cooked that is cut or mashed then: as it is asked, else in water to be mashed."""
+        mashed = want.then in word_list("only what is soft is so") and want.make in word_list("begins cooked")
+        if mashed or not want.make or self._is_boiled(want.make):
+            return ("boil",)
+        return self._asked_cooking(want) or self._usual_cooking(want)
 
     def _takes_longer(self, want: Want) -> bool:
         """Whether pulses are asked beside grain that is done long before them; in a soup they have all the time."""

@@ -44,7 +44,8 @@ def sides_of(
 
     ``baked``: its name says that the dish comes out of an oven.
     """
-    held = {name for name in _HOLDS if any(getattr(dish, name) for dish in dishes)} | ({"baked"} if baked else set())
+    held = {name for name in _HOLDS if any(getattr(dish, name) for dish in dishes)}
+    held |= {"baked"} if baked or "tin" in held else set()
     finder = _Finder(wants, held, dish_type, words(title))
     sides = tuple(side for component in components() if (side := finder.side(component)) is not None)
     return tuple(finder.rest), sides
@@ -116,7 +117,10 @@ class _Finder:
                 found.add(place)
                 place += 1
         place = min(found) - 1
-        while self._belongs(place, component, around) and not _have(needs, [self.listed[one] for one in found], around):
+        while self._belongs(place, component, around) and (
+            _are(component.body, self.listed[place], around)
+            or not _have(needs, [self.listed[one] for one in found], around)
+        ):
             found.add(place)
             place -= 1
         return found

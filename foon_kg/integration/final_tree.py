@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import cast
 
 from foon_kg.food import singular
+from foon_kg.food.told_states import in_turn
 from foon_kg.integration.bench import Bench, Done, Stuff
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.operators import Nearness
@@ -92,9 +93,11 @@ def _states(bench: Bench, cooking: Cooking, wants: Sequence[Want]) -> Iterator[S
     }
     for want in wants:
         ready = cooking.ready.get(want.number)
-        if not want.asked or (singular(want.label), want.asked) in shown or ready is None:
+        if ready is None:
             continue
-        yield Substitution("state", want.label, want.asked, _state_now(bench, ready.stuff, want), _READ)
+        for state in in_turn(want.told or want.asked):
+            if (singular(want.label), state) not in shown:
+                yield Substitution("state", want.label, state, _state_now(bench, ready.stuff, want), _READ)
 
 
 def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food import Tables
+from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.course import HEATS
@@ -89,7 +89,7 @@ class _Mass:
         facts = [join.want.facts for join in joins]
         self.bound = any(one.is_a(*word_list("binds patties")) for one in facts)
         self.begin = self._begin()
-        self.wet = any(join.want.facts.is_of(*_SAUCE) and not self._soaks_what_binds(join) for join in joins)
+        self.wet = any(_runs_around(join.want.facts) and not self._soaks_what_binds(join) for join in joins)
 
     def _main(self) -> list[Join]:
         for words_of in ("patties are made of", "is shaped too", "is shaped when it is mashed"):
@@ -101,9 +101,10 @@ class _Mass:
     def _begin(self) -> float:
         """Return the place in the recipe at which what is cooked around the mass begins."""
         first = min((place for join in self.main for place in join.want.places), default=0)
-        wet = [join for join in self.joins if join.want.facts.is_of(*_SAUCE) and not self._is_beside_binder(join)]
-        places = [min(join.want.places) for join in wet if join.want.places]
-        return min((place for place in places if place > first), default=math.inf)
+        wet = [join.want for join in self.joins if _runs_around(join.want.facts) and not self._is_beside_binder(join)]
+        wet = [want for want in wet if want.places and min(want.places) > first]
+        main = [want for want in wet if want.facts.is_of(*word_list("is the body of a sauce"))]
+        return min((min(want.places) for want in main or wet), default=math.inf)
 
     def holds(self, join: Join) -> bool:
         """Whether raw grain is shaped with the rest and done in the sauce, before which it is listed."""
@@ -122,6 +123,11 @@ class _Mass:
         late = bool(join.want.places) and min(join.want.places) > self.begin
         return late and join not in self.main and not facts.is_a("fat", "egg", *word_list("is soaked to bind"))
 
+    def _is_listed_before(self, join: Join) -> bool:
+        """Whether a recipe lists what seasons a mass before the sauce begins."""
+        early = bool(join.want.places) and min(join.want.places) < self.begin < math.inf
+        return early and join.want.facts.is_a(*word_list("seasons a mass"))
+
     def _fine(self, join: Join) -> int:
         states = (join.want.make, *join.want.leaf)
         return max((self.known.state(state).fine or 0 for state in states if state), default=0)
@@ -132,9 +138,9 @@ class _Mass:
         if facts.is_a(*word_list("is taken out of the dish")) or self.lies_on_it(join) or self._is_listed_after(join):
             return False
         held = facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass")) or self.holds(join)
-        if join in self.main or held or self._soaks_what_binds(join):
+        if join in self.main or held or self._soaks_what_binds(join) or self._is_listed_before(join):
             return True
-        if facts.is_a("fat") or facts.is_of(*_SAUCE):
+        if facts.is_a("fat") or _runs_around(facts):
             return False
         if facts.is_a(*word_list("binds a mass or a sauce")):
             return not self.wet
@@ -150,14 +156,14 @@ class _Mass:
         if self._is_beside_binder(join):
             return True
         others = (one.want.facts for one in self.joins if one is not join)
-        return any(one.is_of(*_SAUCE) for one in others)
+        return any(_runs_around(one) for one in others)
 
     def is_sauce(self, join: Join) -> bool:
         """Whether a food is cooked around what was shaped."""
         facts = join.want.facts
         if facts.is_a("fat") or self.lies_on_it(join) or self.is_of_mass(join, alone=False):
             return False
-        if facts.is_of(*_SAUCE) or self._is_listed_after(join):
+        if _runs_around(facts) or self._is_listed_after(join):
             return True
         return self.wet and not self.is_of_mass(join, alone=True)
 
@@ -171,5 +177,12 @@ class _Mass:
     def lies_on_it(self, join: Join) -> bool:
         """Whether a food comes on what is done, or beside it."""
         facts = join.want.facts
+        if self._is_listed_before(join):
+            return False
         wedge = facts.is_a(*word_list("is a wedge beside it")) and not join.want.squeezed
         return wedge or facts.is_a(*word_list("is served with what is fried"), "topping")
+
+
+def _runs_around(facts: Food) -> bool:
+    """Whether a food is cooked around what was shaped; of juices those that are drunk."""
+    return facts.is_of(*_SAUCE) or facts.kind in word_list("is a sauce around a mass, and its kinds are not")

@@ -29,11 +29,12 @@ class Part:
 
 
 def parts_of(
-    wants: Sequence[Want], dish_type: str, title: str, repeated: Collection[str], known: Tables
+    wants: Sequence[Want], dish_type: str, title: str, repeated: Collection[str], known: Tables, *, strewn: bool = False
 ) -> tuple[tuple[Want, ...], tuple[Part, ...]]:
     """Return what is baked of the foods of a recipe, and the parts that are put on it.
 
     ``repeated`` are the names that a recipe lists twice: what of them belongs to a part is a second portion.
+    ``strewn``: what is strewn on it was found already.
     """
     if not any(dish.tin for dish in known.dishes_named(dish_type, title)):
         return tuple(wants), ()
@@ -41,7 +42,8 @@ def parts_of(
     if is_of_dough(wants):
         found = tuple(Part((want,), "", baked=True) for want in _on_dough(wants))
     if is_of_dough(wants) or is_of_batter(wants):
-        found += tuple(_Parted(wants, frozenset(words(title)), repeated).parts())
+        told = frozenset(words(title)) - (word_list("is strewn on") if strewn else frozenset())
+        found += tuple(_Parted(wants, told, repeated).parts())
     taken = {want.number for part in found for want in part.wants}
     rest = tuple(want for want in wants if want.number not in taken)
     return (rest, found) if rest else (tuple(wants), ())

@@ -190,7 +190,8 @@ class _Phaser:
             fat = any(join.want.facts.is_a(*word_list("is flesh")) for join in joins)  # it fries without
         if not fat and not bath:
             return ()
-        comers = [_Comer(join, join.want.facts, _phase_in(join, fat=fat, bath=bath)) for join in joins] + [
+        apart = not self.plan.one_pot
+        comers = [_Comer(join, join.want.facts, _phase_in(join, fat=fat, bath=bath, apart=apart)) for join in joins] + [
             _Comer(adds[id(add)], None, self._phase_of_line(add, bath=bath)) for add in lines
         ]
         if water is not None:
@@ -244,7 +245,7 @@ class _Phaser:
         What was boiled and drained is done, and only gets hot again.
         """
         if self._strains(line.stages[-1]):
-            return _SOON if bath else _WET
+            return _LAST if bath else _WET
         facts = [join.want.facts for join in self._foods(line)]
         if bath and self.plan.one_pot and any("shape" in stage.does for stage in line.stages):
             return _SOON  # whoever stirs raw balls with the vegetables has none
@@ -395,9 +396,16 @@ def _seasons(facts: Food) -> bool:
     return facts.is_a(*word_list("only flavours")) and not more
 
 
-def _phase_in(join: Join, *, fat: bool, bath: bool) -> str:
-    """Return in which phase an asked food joins: what no knife cuts takes as long as anything in the liquid."""
+def _phase_in(join: Join, *, fat: bool, bath: bool, apart: bool) -> str:
+    """Return in which phase an asked food joins: what no knife cuts takes as long as anything in the liquid.
+
+    ``apart``: what is boiled and drained is boiled by itself, and done when it joins.
+    """
     facts = join.want.facts
+    done = join.want.cooked or join.want.asked in word_list("is so by dry heat")
+    done = done or (apart and facts.is_a(*word_list("is boiled by itself")))
+    if bath and done and facts.is_a(*word_list("is stirred in last when it is done")):
+        return _LAST
     hard = facts.is_a(*word_list("is flesh")) and not word_list("is no work for a knife").isdisjoint(
         words(join.want.label)
     )

@@ -14,6 +14,7 @@ from functools import lru_cache
 from foon_kg.food import Food, Level, Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import State
+from foon_kg.food.told_states import in_turn
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.operators import Attested, Nearness, Operators, Way, form_of
 from foon_kg.model import RequiredIngredient
@@ -73,7 +74,8 @@ class Want:
     (``None``: it was taken at its word). ``bought_so``: no kitchen of this FOON makes what is asked (smoked, pickled).
     ``at_hand``: somebody has it in the asked state. ``then`` is what is made of it once it is cooked (mashed).
     ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes out of an oven. ``part`` is
-    for what of the dish the recipe says that it is, ``places`` are those at which it lists it.
+    for what of the dish the recipe says that it is, ``places`` are those at which it lists it. ``told`` are the asked
+    states where there are several (:func:`~foon_kg.food.told_states.in_turn`).
     """
 
     number: int
@@ -92,6 +94,7 @@ class Want:
     foamed: bool = False
     roasted: bool = False
     part: str = ""
+    told: str = ""
     places: tuple[int, ...] = field(default=(), compare=False)
 
     @property
@@ -121,9 +124,26 @@ def wants_of(
         distinct[one] = (*distinct.get(one, ()), place)
     found = []
     for number, (one, places) in enumerate(distinct.items(), start=1):
-        want = replace(understood(number, one, known, operators), part=one.part, places=places)
+        want = replace(_in_turn(number, one, known, operators), part=one.part, places=places)
         found.append(_as_entitled(_cut_by_name(want, known), title, known, operators))
     return tuple(found)
+
+
+def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
+    """Return a required food of whose state several things are told: what heat made of it, and how it is cut then."""
+    *before, last = in_turn(one.state) or ("",)
+    want = understood(number, replace(one, state=last), known, operators)
+    if not before:
+        return want
+    first = understood(number, replace(one, state=before[-1]), known, operators)
+    if want.cooked and first.make and known.state(first.make).fine:
+        return replace(first, cooked=True, told=one.state)
+    divided = want.make if want.make and known.state(want.make).fine else ""
+    if first.cooked:
+        return replace(first, then=divided, told=one.state)
+    if before[-1] in word_list("is in a can"):
+        return replace(first, make=divided, told=one.state)
+    return replace(want, told=one.state)
 
 
 def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> Want:
@@ -171,14 +191,11 @@ def _before_it(want: Want, told: Sequence[str]) -> Iterator[str]:
 def _cut_by_name(want: Want, known: Tables) -> Want:
     """Return a food that is cut as its name says (lime wedge), or grated off the whole (zest), if no state is asked."""
     shape = words(want.label)[-1:]
-    off = want.facts.is_a(*word_list("is grated off the whole"))
-    if (
-        want.asked
-        and not known.state(want.asked).undivided
-        and not (off and want.asked in word_list("is asked as it comes off"))
-    ):
+    grated_off = want.facts.is_a(*word_list("is grated off the whole"))
+    as_sold = grated_off and want.asked == want.facts.sold_as
+    if want.asked and not as_sold and not known.state(want.asked).undivided:
         return want
-    if off:
+    if grated_off:
         return replace(want, make=min(word_list("only grates")), leaf=("whole",))
     cut = want.facts.sold_as == "whole" and not word_list("is cut so by name").isdisjoint(shape)
     return replace(want, make=shape[0]) if cut else want
@@ -278,7 +295,7 @@ def _foamed(want: Want, before: Food) -> Want | None:
 def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None:
     """Return a food whose asked state is not given to it alone: drained of what it was canned or boiled in, smoked."""
     canned = operators.known.foods.food(want.label, [_CANNED])
-    if row.earns & _FROM_A_CAN and canned.kind != want.facts.kind and canned.sold_as == _CANNED:
+    if row.earns & _FROM_A_CAN and canned.sold_as == _CANNED:
         return replace(want, facts=canned, leaf=(_CANNED,), storage=canned.sold_in, read_as=_CANNED)
     if row.earns and row.earns <= ADVISED and row.earns != _RINSED and "boil" in want.facts.owes:
         return replace(want, cooked=True)
@@ -399,7 +416,8 @@ class Preparer:
         vessel comes as it is (``whole_shell``).
         """
         due = self._due(want)
-        cut = self._cut_state(want, form, due, divided=divided)
+        later = want.then and want.then not in word_list("only what is soft is so")  # it stays whole until it is done
+        cut = "" if later else self._cut_state(want, form, due, divided=divided)
         pieces = self._comes_in_pieces(want, cut)
         worked = pieces and self._way_so(want, cut) is not None
         pieces = pieces and not worked
@@ -424,7 +442,7 @@ class Preparer:
         if want.squeezed or (juicy and self.operators.giving.get(_JUICE)):
             self._squeeze(ready)
             return ready
-        if "drain" in want.facts.owes and "canned" in want.leaf:
+        if "canned" in want.leaf and "drain" in {*want.facts.owes, *self.known.state(want.asked).earns}:
             self._drain(ready)
         self._advise(ready)
         self._divide(ready, cut, alone=alone)

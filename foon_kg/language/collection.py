@@ -111,7 +111,7 @@ class CollectionReader:
 
 
 def labels_of(vocabulary: Vocabulary) -> dict[str, str]:
-    """Return the label of each food of a FOON by its canonical name; of several the first in their order."""
+    """Return the label of each food in the ``vocabulary`` of a FOON by its canonical name; of several the first."""
     return labels_by_name(row.label for row in vocabulary.foods)
 
 
@@ -133,7 +133,9 @@ def classes_of(recipe: CollectedRecipe) -> tuple[DishClass, ...]:
 
 
 def is_heading(text: str) -> bool:
-    """Return whether a line names a part of the dish and no food: what ends in a colon, "For the sauce", "TOPPING".
+    """Return whether the ``text`` of a line names a part of the dish and no food: "For the sauce", "TOPPING".
+
+    So does what ends in a colon.
 
     >>> is_heading("For the cake batter:"), is_heading("1 cup sauce"), is_heading("tomato sauce")
     (True, False, False)

@@ -46,7 +46,7 @@ Token = Any  # spaCy says nothing of its types
 def with_actions(narration: Narration, verbs: Verbs, names: Iterable[str] = ()) -> Narration:
     """Return ``narration`` with the actions of its sentences, in their order; each has the time of its sentence.
 
-    ``names`` are those of a FOON; one of several words is one thing (macaroni and cheese). Raises
+    ``verbs`` are those of a FOON, ``names`` its names; one of several words is one thing (macaroni and cheese). Raises
     :class:`~foon_kg.model.errors.UsageError` where the extra ``text`` is not installed.
     """
     reader = Clauses(verbs, tuple(names))

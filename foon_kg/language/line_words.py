@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.told_states import asked_state
 from foon_kg.model.names import canonical
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.state_classes import state_classes
@@ -16,6 +18,7 @@ _PHRASE = re.compile(r",|;|\band\b|\bthen\b|\(|\)", re.IGNORECASE)
 _IN_NAMES = word_list("states in names")
 _BEGINNINGS = tuple(sorted(word_list("beginnings of names")))
 _REMARKS = frozenset({"divided"})  # a FOON divides dough; "4 tablespoons butter, divided" is used in two places
+_KEPT_ASIDE = "reserved"
 
 
 @dataclass(frozen=True)
@@ -23,8 +26,9 @@ class RecipeLine:
     """What one line asks for. ``text`` is the line as written; what was not understood of it is in ``left_over``.
 
     ``object`` is ``None`` where the line names no food (a heading); ``others`` are further foods that it names, in its
-    place ("sugar or honey") or beside it ("salt and pepper"). ``state`` is the last thing done to the food, ``""``
-    where the line says nothing of it; ``states`` are all of them in their order. ``quantity`` ("2", "3/2", "2-3") and
+    place ("sugar or honey") or beside it ("salt and pepper"). ``state`` is what is asked by
+    all that was done to it (:func:`~foon_kg.food.told_states.asked_state`), ``""`` where the line says nothing of it;
+    ``states`` are all of them in their order. ``quantity`` ("2", "3/2", "2-3") and
     ``unit`` are ``""`` where there is none; ``size`` is what is said of it ("large"). ``confidence`` is how sure the
     food is, from 0 to 1.
     """
@@ -42,7 +46,10 @@ class RecipeLine:
 
 
 def split_name(text: str) -> tuple[tuple[str, ...], str]:
-    """Split states off the front of a name: "frozen chopped spinach"; "ground beef" and "white rice" stay whole."""
+    """Return the states at the front of a name (``text``), and the rest: "frozen chopped" and "spinach".
+
+    "ground beef" and "white rice" stay whole.
+    """
     words = text.replace(",", " ").split()
     states = []
     while len(words) > 1 and (state := _state_before(words[0], " ".join(words[1:]))):
@@ -71,25 +78,34 @@ def is_bought_so(state: str, food: str) -> bool:
     return tables().foods.is_listed(name) and tables().foods.food(name).is_a("cooked meat")
 
 
-def as_bought(line: RecipeLine) -> RecipeLine:
-    """Return a line whose food is bought cooked under that name, where more was done to it than to cook it.
+def as_bought(line: RecipeLine, so: Sequence[str] = ()) -> RecipeLine:
+    """Return a line whose food is bought ``so``: cooked under that name, where more was done to it, or in a can.
 
-    A utensil is no food (skewers).
+    What a can holds was diced or crushed by nobody here. A utensil is no food (skewers).
     """
     if line.object and tables().utensil(line.object) is not None and not tables().foods.is_listed(line.object):
         return replace(line, object=None, left_over=(*line.left_over, line.object))
+    canned = tables().foods.as_measured(line.object, [line.unit]) if line.object else ""
+    if canned:
+        states = (canned, *(state for state in line.states if state not in {canned, *so}))
+        return replace(line, state=asked_state(states, tables()), states=states)
     first, rest = line.states[:1], line.states[1:]
     if line.object is None or not rest or not is_bought_so(first[0], line.object):
         return line
-    return replace(line, object=f"{first[0]} {line.object}", state=rest[-1], states=rest)
+    return replace(line, object=f"{first[0]} {line.object}", state=asked_state(rest, tables()), states=rest)
 
 
 def states_of(preparation: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return the states that a preparation speaks of ("peeled and diced"), and its phrases that speak of none."""
     phrases = [phrase.strip() for phrase in _PHRASE.split(preparation) if phrase.strip()]
-    read = [(phrase, () if phrase.lower() in _REMARKS else _states_in(phrase)) for phrase in phrases]
+    read = [(phrase, () if _is_remark(phrase.lower()) else _states_in(phrase)) for phrase in phrases]
     states = tuple(state for _, found in read for state in found)
     return states, tuple(phrase for phrase, found in read if not found)
+
+
+def _is_remark(phrase: str) -> bool:
+    """Whether a phrase says nothing of the food: divided, juice reserved."""
+    return phrase in _REMARKS or phrase.endswith(_KEPT_ASIDE)
 
 
 def _states_in(phrase: str) -> tuple[str, ...]:

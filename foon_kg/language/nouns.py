@@ -29,21 +29,26 @@ def spoken(token: Token) -> str:
 
 
 def names_in(token: Token) -> Iterator[Mention]:
-    """Yield the thing that a noun names, and those joined to it; a measure names what it is of."""
+    """Yield the thing that a noun (``token``) names, and those joined to it; a measure names what it is of."""
     of = [thing for child in token.children if child.lower_ == "of" for thing in child.children if thing.dep_ == "pobj"]
-    if of and (token.lemma_.lower() in _MEASURES or is_vessel(spoken(token))):
+    measures = token.lemma_.lower() in _MEASURES
+    if of and (measures or is_vessel(spoken(token))):
         for thing in of:
             yield from names_in(thing)
-        if is_vessel(spoken(token)) and token.lemma_.lower() not in _MEASURES:
-            yield _name(token)  # a pan of water
+        if not measures:
+            yield _name(token)  # a pan of water: both
     elif token.pos_ in NAMES or token.dep_ in {"pobj", "dobj", "conj"}:
         yield from (Mention(spoken(one)) for one in _apart(token))
         yield _name(token)
+    for child in _joined_to(token):
+        yield from names_in(child)
+
+
+def _joined_to(token: Token) -> list[Token]:
+    """Return the nouns joined to one; none behind "or": of oil or butter the first is taken."""
     if any(child.dep_ == "cc" and child.lower_ == "or" for child in token.children):
-        return  # oil or butter: the first is taken
-    for child in token.children:
-        if child.dep_ in {"conj", "appos"} and child.pos_ in NAMES:
-            yield from names_in(child)
+        return []
+    return [child for child in token.children if child.dep_ in {"conj", "appos"} and child.pos_ in NAMES]
 
 
 def _name(token: Token) -> Mention:
@@ -87,7 +92,7 @@ def plural(word: str) -> str:
 
 
 def as_result(name: str) -> str | None:
-    """Return the state that something goes on to ("into cubes"); ``None`` for a place or a thing."""
+    """Return the state that something goes on to by a ``name`` ("into cubes"); ``None`` for a place or a thing."""
     last = canonical(name).split()[-1:]
     thing = is_vessel(name) or not _MIXED.isdisjoint(last) or tables().foods.food(name).known
     return None if thing else state_in(name)

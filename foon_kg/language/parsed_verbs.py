@@ -21,7 +21,7 @@ Token = Any  # spaCy says nothing of its types
 
 
 def is_action(token: Token) -> bool:
-    """Return whether a verb is something that is done."""
+    """Return whether a verb (``token``) is something that is done."""
     if token.pos_ != "VERB" or token.dep_ not in _CLAUSE_DEPS or any(child.dep_ == "neg" for child in token.children):
         return False
     if token.dep_ == "pcomp" and token.head.lower_ not in BEFORE_A_CLAUSE:
@@ -49,7 +49,7 @@ def _is_alternative(token: Token) -> bool:
 
 
 def other_way(token: Token) -> Token:
-    """Return the other verb where only that has an object: the press of "roll or press the dough"."""
+    """Return the other verb of ``token`` where only that has an object: the press of "roll or press the dough"."""
     has_object = any(child.dep_ in OBJECTS for child in token.children)
     others = [child for child in token.children if child.dep_ == "conj" and _is_alternative(child)]
     return others[0] if others and not has_object else token

@@ -13,7 +13,9 @@ import unicodedata
 from fractions import Fraction
 from functools import lru_cache
 
+from foon_kg.food import tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.told_states import asked_state
 from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
 from foon_kg.model.names import canonical
 from foon_kg.similarity.groups import food_groups
@@ -115,7 +117,7 @@ def read_quickly(line: str) -> RecipeLine | None:
     answer = RecipeLine(
         line,
         food[1],
-        state=states[-1] if states else "",
+        state=asked_state(states, tables()),
         states=states,
         quantity=str(quantity or ""),
         unit=unit,
@@ -123,7 +125,7 @@ def read_quickly(line: str) -> RecipeLine | None:
         left_over=(*done[1], *optional, *inside),
         confidence=AGREES,
     )
-    return as_bought(answer)
+    return as_bought(answer, food[0])
 
 
 def _measures(words: str, quantity: Fraction) -> tuple[str, str, str]:

@@ -19,6 +19,8 @@ from importlib.resources import files
 from multiprocessing import get_context
 from typing import Any, Self
 
+from foon_kg.food import tables
+from foon_kg.food.told_states import asked_state
 from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
 from foon_kg.language.plain_lines import read_quickly
 from foon_kg.model.errors import FoonError, UsageError
@@ -145,7 +147,7 @@ def _parse(text: str) -> RecipeLine:
     answer = RecipeLine(
         text,
         name,
-        state=states[-1] if states else "",
+        state=asked_state(states, tables()),
         states=states,
         quantity=quantity,
         unit=unit,
@@ -154,7 +156,7 @@ def _parse(text: str) -> RecipeLine:
         left_over=(*unread, *remarks, *(part.text for part in parsed.amount[1:])),
         confidence=round(float(parsed.name[0].confidence), 4),
     )
-    return as_bought(answer)
+    return as_bought(answer, in_name)
 
 
 def _amount(amount: Any) -> tuple[str, str]:  # noqa: ANN401 - the package's own class, which mypy does not know

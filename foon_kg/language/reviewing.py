@@ -126,7 +126,9 @@ class Review:
         return sum(unit is not None for unit in self._units)
 
     def accepted(self, place: int) -> Review:
-        """Return the review with a row accepted as it stands; one that is no unit is left out for good.
+        """Return the review with the row at ``place`` (from 0) accepted as it stands.
+
+        What is no unit is left out for good.
 
         Raises :class:`~foon_kg.model.errors.UsageError` where there is no such row.
         """
@@ -136,7 +138,7 @@ class Review:
         return self._with(place, {**self.rows[place], "doubt": "", REVIEWED: YES})
 
     def edited(self, place: int, cells: Mapping[str, str]) -> Review:
-        """Return the review with other ``cells`` in a row: a person wrote it, and is sure.
+        """Return the review with other ``cells`` in the row at ``place`` (from 0): a person wrote it, and is sure.
 
         Raises :class:`~foon_kg.model.errors.UsageError` where that is no unit, with what is wrong with it.
         """
@@ -151,7 +153,7 @@ class Review:
         return changed
 
     def dropped(self, place: int) -> Review:
-        """Return the review without a row."""
+        """Return the review without the row at ``place`` (from 0)."""
         self._check(place)
         return type(self)(self.name, self.columns, (*self.rows[:place], *self.rows[place + 1 :]))
 

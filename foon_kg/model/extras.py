@@ -35,7 +35,10 @@ def extra_of(module: str) -> str | None:
 
 
 def missing(error: ModuleNotFoundError) -> UsageError | None:
-    """Return what to tell a person whose command needs a module that is not there; ``None`` where no extra has it."""
+    """Return what to tell a person whose command needs a module that is not there; ``None`` where no extra has it.
+
+    ``error`` is what the import raised.
+    """
     module = error.name or ""
     extra = extra_of(module)
     if extra is None:

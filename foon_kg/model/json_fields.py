@@ -37,63 +37,66 @@ class Fields:
         return tuple(sorted(self._values))
 
     def text(self, name: str) -> str:
-        """Return the text of a field."""
+        """Return the text of the field called ``name``."""
         return self._as_text(name, self._value(name))
 
     def optional_text(self, name: str) -> str | None:
-        """Return the text of a field, ``None`` where it is null or left out."""
+        """Return the text of the field called ``name``, ``None`` where it is null or left out."""
         return None if self._values.get(name) is None else self.text(name)
 
     def text_or_number(self, name: str) -> str:
-        """Return the text of a field, or its number (2.0 is "2"); nothing where it is null or left out."""
+        """Return the text of the field called ``name``, or its number as text (2.0 is "2").
+
+        Nothing where it is null or left out.
+        """
         value = self._values.get(name)
         if isinstance(value, int | float) and not isinstance(value, bool):
             return f"{value:.15g}"
         return (self.optional_text(name) or "").strip()
 
     def whole_number(self, name: str) -> int:
-        """Return the whole number of a field."""
+        """Return the whole number of the field called ``name``."""
         value = self._value(name)
         if not isinstance(value, int) or isinstance(value, bool):
             self._refuse(name, "a whole number", value)
         return value
 
     def number(self, name: str) -> float:
-        """Return the number of a field."""
+        """Return the number of the field called ``name``."""
         value = self._value(name)
         if not isinstance(value, int | float) or isinstance(value, bool):
             self._refuse(name, "a number", value)
         return float(value)
 
     def optional_number(self, name: str) -> float | None:
-        """Return the number of a field, ``None`` where it is null or left out."""
+        """Return the number of the field called ``name``, ``None`` where it is null or left out."""
         return None if self._values.get(name) is None else self.number(name)
 
     def truth(self, name: str) -> bool:
-        """Return the true or false of a field."""
+        """Return the true or false of the field called ``name``."""
         value = self._value(name)
         if not isinstance(value, bool):
             self._refuse(name, "true or false", value)
         return value
 
     def texts(self, name: str) -> tuple[str, ...]:
-        """Return the texts of a list."""
+        """Return the texts of the list called ``name``."""
         return tuple(self._as_text(f"{name}[{place}]", value) for place, value in enumerate(self._list(name)))
 
     def nested(self, name: str) -> Fields:
-        """Return a field that is an object itself."""
+        """Return the object that the field called ``name`` is."""
         return Fields(self._value(name), f"{self.where}: {name}")
 
     def nested_list(self, name: str) -> list[Fields]:
-        """Return the objects of a list, in order."""
+        """Return the objects of the list called ``name``, in order."""
         return [Fields(value, f"{self.where}: {name}[{place}]") for place, value in enumerate(self._list(name))]
 
     def items(self, name: str) -> list[object]:
-        """Return the items of a list, of whatever type they are."""
+        """Return the items of the list called ``name``, of whatever type they are."""
         return list(self._list(name))
 
     def one_of(self, name: str, allowed: tuple[str, ...]) -> str:
-        """Return the text of a field that must be one of ``allowed``."""
+        """Return the text of the field called ``name``, which must be one of ``allowed``."""
         value = self.text(name)
         if value not in allowed:
             self._refuse(name, "one of " + ", ".join(allowed), value)

@@ -23,7 +23,10 @@ def json_value(text: str) -> Any:  # noqa: ANN401 - any value of JSON
 
 
 def json_value_at(text: str, place: int) -> tuple[Any, int]:
-    """Return the value that begins at ``place`` and where it ends; raises JSONDecodeError."""
+    """Return the JSON value that begins at ``place`` (in characters) of a ``text``, and where it ends.
+
+    Raises JSONDecodeError where there is none.
+    """
     try:
         return _DECODER.raw_decode(text, place)
     except json.JSONDecodeError:

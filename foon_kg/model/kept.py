@@ -74,7 +74,7 @@ def code_key(places: Iterable[Traversable]) -> str:
 
 
 def write_private(file: Path, text: str) -> None:
-    """Write a file that only its owner can read, whole or not at all."""
+    """Write ``text`` to a ``file`` that only its owner can read, whole or not at all."""
     write_whole(file, text, mode=0o600)
 
 

@@ -56,7 +56,7 @@ class ObjectNode:
 
     @cached_property
     def sort_key(self) -> NodeSortKey:
-        """A total order over nodes, the same in every run: the last word in every tie (C9)."""
+        """Return the place of this node in a total order, the same in every run: the last word in every tie (C9)."""
         return (self.label, self.states, self.ingredients, self.relation or "", self.container or "")
 
     @cached_property
@@ -210,7 +210,7 @@ class Subgraph:
 
     @cached_property
     def content_key(self) -> str:
-        """A hash of everything in it: an equal hash means that loading it again would change nothing."""
+        """Return a hash of everything in it: an equal hash means that loading it again would change nothing."""
         return content_key(self.name, self.sources, [_annotation_as_json(a) for a in self.annotations])
 
 

@@ -28,7 +28,7 @@ def names(group: str) -> tuple[str, ...]:
 
 
 def plugin(group: str, name: str) -> Plugin | None:
-    """Return the plug-in of this name, imported; ``None`` where there is none.
+    """Return the plug-in of an entry-point ``group`` that has this ``name``, imported; ``None`` where there is none.
 
     Raises UsageError where two packages bring it, or where it cannot be imported or called.
     """

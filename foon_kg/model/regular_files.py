@@ -47,12 +47,18 @@ def _what_is_wrong(found: os.stat_result, most: int | None, advice: str) -> str 
 
 
 def read_bytes(path: Path, most: int = MOST_BYTES) -> bytes:
-    """Return what is in a regular file; raises OSError as :func:`open_regular` does."""
+    """Return what is in the regular file at ``path``, of at most ``most`` bytes.
+
+    Raises OSError as :func:`open_regular` does.
+    """
     with open_regular(path, most) as stream:
         return stream.read(most)
 
 
 def read_text(path: Path, encoding: str = "utf-8-sig") -> str:
-    """Return the text of a regular file, its lines ended by newlines; raises OSError, UnicodeDecodeError."""
+    """Return the text of the regular file at ``path``, read in an ``encoding``, its lines ended by newlines.
+
+    Raises OSError as :func:`open_regular` does, and UnicodeDecodeError.
+    """
     with TextIOWrapper(open_regular(path, MOST_BYTES), encoding=encoding) as stream:
         return stream.read()

@@ -52,7 +52,7 @@ class Step:
 
     @classmethod
     def of(cls, inputs: Iterable[ObjectNode], motion: str, outputs: Iterable[ObjectNode]) -> Step:
-        """Return the step of a functional unit, whose things have no numbers.
+        """Return the step of a functional unit: ``inputs`` → ``motion`` → ``outputs``, none of which has a number.
 
         >>> Step.of([ObjectNode("onion", ("whole",))], "chop", [ObjectNode("onion", ("chopped",))]).outputs[0].identity
         ObjectNode(label='onion', states=('chopped',), ingredients=(), relation=None, container=None)
@@ -84,7 +84,10 @@ class TreeUnit:
     def of(
         cls, unit: FunctionalUnit, origin: Origin | None = None, seen_in: tuple[Sighting, ...] | None = None
     ) -> TreeUnit:
-        """Return ``unit`` as it stands as a step; repeated nodes count once, and things have no numbers."""
+        """Return ``unit`` as it stands as a step; repeated nodes count once, and things have no numbers.
+
+        ``origin`` and ``seen_in`` say what speaks for it, where anybody can say.
+        """
         moving = frozenset(p.node for p in (*unit.inputs, *unit.outputs) if p.moving)
         step = Step.of(unit.input_nodes, unit.motion, unit.output_nodes)
         return cls(step, origin, seen_in, accepts_any=unit.accepts_any, moving=moving)
@@ -168,6 +171,18 @@ def leaves_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
         leaves.update(dict.fromkeys(node for node in unit.input_nodes if node not in there))
         there.update(unit.input_nodes, unit.output_nodes)
     return tuple(leaves)
+
+
+def newly_made(unit: TakesAndMakes) -> list[ObjectNode]:
+    """Return the nodes that ``unit`` puts out and did not take: what was only held or passed on is none of them."""
+    taken = set(unit.input_nodes)
+    return [node for node in unit.output_nodes if node not in taken]
+
+
+def used_up(unit: TakesAndMakes) -> list[ObjectNode]:
+    """Return the nodes that ``unit`` takes and does not leave as they were: moved, changed, or gone into another."""
+    left = set(unit.output_nodes)
+    return [node for node in unit.input_nodes if node not in left]
 
 
 def nodes_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:

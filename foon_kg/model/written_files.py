@@ -38,7 +38,7 @@ def writing(path: Path, hint: str) -> Iterator[None]:
 
 
 def write_file(path: Path, content: str | bytes, hint: str) -> None:
-    """Write ``path`` whole, or leave what is there; raises as :func:`writing` does."""
+    """Write ``content`` to ``path`` whole, or leave what is there; raises as :func:`writing` does, with ``hint``."""
     with writing(path, hint):
         write_whole(path, content)
 

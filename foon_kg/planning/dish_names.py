@@ -29,7 +29,10 @@ def refuse_unknown_type(dish_type: str) -> None:
 
 
 def has_its_name(fit: Fit, asked: Asked, dish_type: str, tin: str, technique: Technique | None) -> bool:
-    """Whether what is made after a recorded dish may be called as that is; else it is called by its ``dish_type``."""
+    """Return whether what is made after a recorded dish (``fit``) may be called as that is; else by its ``dish_type``.
+
+    ``asked`` is the recipe in words, ``tin`` what it is baked in and ``technique`` how it is made, where that is told.
+    """
     frame = fit.frame
     is_no = any(dish_type in dish.is_no for dish in asked.dishes)  # a crepe is no cake
     if not is_no and not _is_such_a_dish(fit, asked, dish_type, tin):
@@ -50,7 +53,7 @@ def _is_such_a_dish(fit: Fit, asked: Asked, dish_type: str, tin: str) -> bool:
 
 
 def eased(asked: Asked) -> frozenset[str]:
-    """Return the kinds of food that dishes of these names do not treat as others do, or leave raw."""
+    """Return the kinds of food that dishes of the names in ``asked`` do not treat as others do, or leave raw."""
     kinds = {kind for dish in asked.of_type for kind in dish.eases}
     return frozenset(kinds.union(kind for dish in asked.dishes for kind in dish.raw))
 
@@ -63,6 +66,9 @@ def closing(told: Collection[str], joins: Sequence[Join]) -> str:
 
 
 def made_as(dish_type: str, title: str, known: Tables) -> str:
-    """Return as a dish of which type one is made: what a title calls a salad is one, in whatever type it is filed."""
+    """Return as a dish of which type one of a ``dish_type`` is made: what its ``title`` calls a salad is one.
+
+    Only types that the tables of ``known`` have are read out of a title.
+    """
     dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
     return next((name for name in dressed if name in DISH_TYPES), dish_type)

@@ -184,7 +184,8 @@ class _Question:
         own, self.sides = sides_of(self.wants, whole.dishes, recipe.dish_type, title, baked=whole.baked)
         self.asks = named_by(title, recipe.dish_type, [(want.label, want.facts) for want in self.wants])
         self.technique = technique_for(recipe.dish_type, words(title), own, recorded)
-        self.baked, self.parts = parts_of(own, recipe.dish_type, title, _named_twice(asked), self.known)
+        strewn = any(side.component.at == "before" for side in self.sides)  # then nothing else is strewn on it
+        self.baked, self.parts = parts_of(own, recipe.dish_type, title, _named_twice(asked), self.known, strewn=strewn)
         if self.technique is not None:  # it says itself what is put on what
             self.baked, self.parts = own, ()
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)

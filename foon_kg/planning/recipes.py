@@ -16,6 +16,7 @@ from pathlib import Path
 from foon_kg.food import singular, tables
 from foon_kg.food.called import dish_type_called
 from foon_kg.food.lists import word_list
+from foon_kg.food.told_states import asked_state, in_turn
 from foon_kg.food.words import without_part
 from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
 from foon_kg.model.errors import ReadError, UsageError
@@ -56,8 +57,10 @@ class IngredientWords:
 
         Written as ``state food`` (chopped onion) or ``food, state`` (onion, chopped). The food is the longest known
         one at the end that a known state stands before, else all that follows the last known state, else the longest
-        known food at the end with the words before it as its state. One food has one state: of several the
-        last processed one counts. Raises :class:`~foon_kg.model.errors.UsageError` when nothing is asked for.
+        known food at the end with the words before it as its state. Of several states those count that
+        :func:`~foon_kg.food.told_states.asked_state` chooses.
+
+        Raises :class:`~foon_kg.model.errors.UsageError` when nothing is asked for.
         """
         plain, part = without_part(text)
         wanted, notes = self._chosen(plain, *self.parts(plain))
@@ -104,10 +107,11 @@ class IngredientWords:
         processed = [state for state in states if not self.kitchen.is_start_state(food, state)]
         amount = _counting(rest)
         said = " ".join(rest[amount:]) or tables().foods.as_measured(food, (word.lower() for word in rest[:amount]))
-        state = (processed or list(states) or [said])[-1]
+        state = asked_state(processed or list(states) or [said], tables())
         wanted, notes = self.with_state(RequiredIngredient(food, state, _amount(rest[:amount])))
         unsaid = (*states, *rest[amount:])
-        left_out = [other for other in unsaid if other not in wanted.state.split() and other != wanted.state]
+        said_of = {*wanted.state.split(), *in_turn(wanted.state)}
+        left_out = [other for other in unsaid if other not in said_of and other != wanted.state]
         if left_out:
             notes = (*notes, f"“{text}” is read as {food}, {wanted.state}: “{' '.join(left_out)}” is left out")
         said = " ".join(text.replace(",", " ").lower().split())

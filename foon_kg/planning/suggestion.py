@@ -7,7 +7,7 @@ for a food of the dish where a cook would rather accept it than not.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.model import Goal, KnownUnit, ObjectNode
@@ -15,10 +15,11 @@ from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.knowledge import KnowledgeView
 from foon_kg.model.node_json import node_to_json
+from foon_kg.model.tree import leaves_of
 from foon_kg.planning.likes import FAIR
 from foon_kg.plans.kitchen import singular
 from foon_kg.plans.stock import StockedKitchen
-from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
+from foon_kg.search import SearchProblem, UnitIndex, retrieve
 from foon_kg.search.gaps import ABSENT, gap_cost, mixtures
 from foon_kg.similarity import Similarity, food_similarity
 
@@ -241,7 +242,7 @@ def _proven(goal: Goal, index: UnitIndex, own: Larder, time_limit: float | None)
         tree = retrieve(SearchProblem(index, (goal.node,), wanted), time_limit=time_limit)
     except NoTreeError:
         return None
-    leaves = tuple(_leaves(tree))
+    leaves = leaves_of(known.unit for known in tree.units)
     lacking = {name for node in leaves for name in own.lacking(node)}
     named = {name for node in leaves for name in own.names_in(node)}
     taken = tuple(Taken(name, *mine) for name in sorted(named) if (mine := own.own_for(name)) is not None)
@@ -255,14 +256,3 @@ def _proven(goal: Goal, index: UnitIndex, own: Larder, time_limit: float | None)
         tuple(food for food in own.foods if food not in used),
         tree.exact,
     )
-
-
-def _leaves(tree: ReferenceTree) -> Iterable[ObjectNode]:
-    """Yield the inputs that no earlier unit outputs, in the order of their first use."""
-    there: set[ObjectNode] = set()
-    for known in tree.units:
-        for node in known.unit.input_nodes:
-            if node not in there:
-                there.add(node)
-                yield node
-        there.update(known.unit.output_nodes)

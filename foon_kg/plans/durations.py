@@ -61,7 +61,10 @@ class Durations:
         return cls(by_motion, _duration(every) if every else None)
 
     def of_step(self, motion: str, measures: Measures) -> Duration | None:
-        """Return how long a step takes, as its ``measures`` say, else as videos show; None where neither does."""
+        """Return how many seconds a step of ``motion`` takes: as its ``measures`` say, else as videos show.
+
+        ``None`` where neither does.
+        """
         if measures.seconds is not None:
             return Duration(measures.seconds, measures.seconds, measures.seconds, 0)
         return self.by_motion.get(motion)

@@ -186,7 +186,10 @@ class Kitchen:
         return None if self.may_hold(node, beside) else LeafFault.HELD
 
     def may_hold(self, node: ObjectNode, beside: Collection[ObjectNode] = ()) -> bool:
-        """Whether a vessel may hold its foods from the start: it is storage, or each food stands beside it."""
+        """Return whether the vessel ``node`` may hold its foods from the start.
+
+        It is storage, or each food stands ``beside`` it.
+        """
         if self.is_storage(node.label):
             return True
         there = {singular(other.label) for other in beside if self.is_food(other)}

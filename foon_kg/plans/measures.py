@@ -29,7 +29,7 @@ _LONG = 2 * _HOUR
 
 
 def amount_of(text: str) -> tuple[str, str]:
-    """Return the amount and the food of one of the ``amounts`` of measures: "200 g flour" is 200 g of flour."""
+    """Return the amount and the food in the ``text`` of a measure: "200 g flour" is 200 g of flour."""
     number, _, rest = text.partition(" ")
     unit, _, food = rest.partition(" ")
     return (number if unit == "piece" else f"{number} {unit}", food) if food else (number, unit)
@@ -67,12 +67,10 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
     things. How much of a food is taken is said where it first comes into the tree, unless somebody asked for an amount
     of it. Nothing is said of other foods than the recorded ones.
     """
-    said = [(s.position, known.unit, s.measures) for known in recorded for s in known.seen_in if s.video == video]
-    said = sorted((row for row in said if row[2]), key=lambda row: (row[0], row[1].key))
+    seen = [(s.position, known.unit, s.measures) for known in recorded for s in known.seen_in if s.video == video]
+    said = sorted((row for row in seen if row[2]), key=lambda row: (row[0], row[1].key))
     timed = [(unit, replace(measures, amounts=())) for _, unit, measures in said if replace(measures, amounts=())]
-    amounts: defaultdict[str, list[str]] = defaultdict(list)
-    for text in (text for _, _, measures in said for text in measures.amounts):
-        amounts[singular(amount_of(text)[1])].append(text)
+    amounts = _amounts_by_food(measures for _, _, measures in said)
     for food in {singular(one.food) for unit in units for one in unit.measures.asked}:
         amounts.pop(food, None)
     there: set[ObjectNode] = set()
@@ -86,6 +84,14 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
     return tuple(told)
 
 
+def _amounts_by_food(measures: Iterable[Measures]) -> dict[str, list[str]]:
+    """Return how much is taken of each food (by its name in the singular), in the order in which it is said."""
+    amounts: defaultdict[str, list[str]] = defaultdict(list)
+    for text in (text for one in measures for text in one.amounts):
+        amounts[singular(amount_of(text)[1])].append(text)
+    return dict(amounts)
+
+
 def _first_of(unit: TreeUnit, timed: list[tuple[FunctionalUnit, Measures]]) -> Measures:
     """Take out of ``timed`` what is said of such a step as ``unit``."""
     labels = {singular(node.label) for node in unit.input_nodes}
@@ -97,7 +103,7 @@ def _first_of(unit: TreeUnit, timed: list[tuple[FunctionalUnit, Measures]]) -> M
 
 
 def amounts_asked(recipe: Recipe) -> list[str]:
-    """Return how much is asked of each distinct ingredient: "60 g and 5 g" where it is asked twice."""
+    """Return how much a ``recipe`` asks of each distinct ingredient: "60 g and 5 g" where it is asked twice."""
     amounts: defaultdict[RequiredIngredient, list[str]] = defaultdict(list)
     for one in recipe.ingredients:
         if one.object:

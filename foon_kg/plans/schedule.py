@@ -172,11 +172,7 @@ class _Work:
         known = [durations.of_step(unit.motion, unit.measures) for unit in units]
         seconds = [usual if one is None else one.median for one in known]
         before = earlier_steps(units)
-        tails, behind = list(seconds), [set[int]() for _ in units]
-        for place in reversed(range(len(units))):
-            for earlier in before[place]:
-                tails[earlier] = max(tails[earlier], seconds[earlier] + tails[place])
-                behind[earlier] |= behind[place] | {place}
+        tails, behind = _tails(seconds, before), _behind(before)
         handless = [unit.motion in WITHOUT_HANDS for unit in units]
         uses = [
             frozenset(_name(one) for one in unit.taken if kitchen.is_utensil(one.node.label))
@@ -185,7 +181,7 @@ class _Work:
         ]
         have = Counter(node.label for node in set(leaves))
         there = {name: max(have[name], 1) for name in sorted(frozenset[str]().union(*uses))} | {_HANDS: hands}
-        return cls(known, seconds, handless, before, tails, [len(b) for b in behind], uses, there)
+        return cls(known, seconds, handless, before, tails, [len(steps) for steps in behind], uses, there)
 
     def starts(self, order: Sequence[int]) -> dict[int, float]:
         """Return when each step begins when they are put in as ``order`` ranks those that are ready."""
@@ -250,3 +246,21 @@ class _Work:
             steps.append(ScheduledStep(place, start, end, pair, self.known[place]))
         length = self.length(starts)
         return Schedule(tuple(steps), len(free), length, sum(self.seconds), length <= self.bound)
+
+
+def _tails(seconds: Sequence[float], before: Sequence[Collection[int]]) -> list[float]:
+    """Return for each step how many seconds it and the longest way of steps behind it take."""
+    tails = list(seconds)
+    for place in reversed(range(len(before))):
+        for earlier in before[place]:
+            tails[earlier] = max(tails[earlier], seconds[earlier] + tails[place])
+    return tails
+
+
+def _behind(before: Sequence[Collection[int]]) -> list[set[int]]:
+    """Return for each step those that wait for it, at once or by way of others."""
+    behind = [set[int]() for _ in before]
+    for place in reversed(range(len(before))):
+        for earlier in before[place]:
+            behind[earlier] |= behind[place] | {place}
+    return behind

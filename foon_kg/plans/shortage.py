@@ -52,7 +52,7 @@ def _there_like(food: str, kitchen: Kitchen, alike: Callable[[str, str], float])
 
 
 def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
-    """Return what to do about a missing leaf: ``buy onion``, ``get a bowl``."""
+    """Return what to do about a missing leaf ``node``: ``buy onion``, ``get a bowl``; ``kitchen`` knows utensils."""
     kitchen = kitchen or Kitchen.default()
     if kitchen.is_food(node):
         processed = kitchen.processed_states(node)
@@ -90,7 +90,7 @@ def _called(node: ObjectNode, kitchen: Kitchen) -> str:
 
 
 def with_article(label: str) -> str:
-    """Return ``a bowl``, ``an oven``, ``tongs``."""
+    """Return a ``label`` with its article: ``a bowl``, ``an oven``, ``tongs``."""
     if label.endswith("s") and not label.endswith("ss"):
         return label
     return f"{'an' if label[:1] in 'aeiou' else 'a'} {label}"

@@ -12,7 +12,7 @@ from typing import Literal
 
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import TreeUnit, newly_made
 
 Change = Literal["kept", "changed", "left out", "added"]
 
@@ -79,7 +79,7 @@ def _seen_alike(known: KnownUnit, unit: TreeUnit) -> int:
 def _done_alike(known: KnownUnit, unit: TreeUnit) -> int:
     """Return to how many of the same things both do the same."""
     taken, made = ({node.label for node in side} for side in (unit.input_nodes, unit.output_nodes))
-    changed = [node.label for node in known.unit.output_nodes if node not in known.unit.input_nodes]
+    changed = [node.label for node in newly_made(known.unit)]
     return len(taken & made & set(changed)) if known.unit.motion == unit.motion else 0
 
 

@@ -8,6 +8,7 @@ done side by side.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 
 from foon_kg.food import motions, tables
@@ -22,7 +23,7 @@ def earlier_steps(units: Sequence[TreeUnit]) -> tuple[frozenset[int], ...]:
     by a unit that takes it and does not put it out again; whoever else takes it does so in the order of execution.
     """
     made_by: dict[ObjectNode | int, int] = {}
-    taken_by: dict[ObjectNode | int, list[int]] = {}
+    taken_by: defaultdict[ObjectNode | int, list[int]] = defaultdict(list)
     prepared: set[int] = set()
     before: list[frozenset[int]] = []
     for place, unit in enumerate(units):
@@ -30,14 +31,15 @@ def earlier_steps(units: Sequence[TreeUnit]) -> tuple[frozenset[int], ...]:
         made = {one.identity for one in set(unit.made) - set(unit.taken)}  # what stays as it is was only held
         put_out = {one.identity for one in unit.made}
         used_up = {thing for thing in taken if thing in made_by and thing not in put_out}
-        waits = {made_by[thing] for thing in taken | made | used_up if thing in made_by}
-        waits.update(earlier for thing in made | used_up for earlier in taken_by.get(thing, ()))
+        waits = {made_by[thing] for thing in taken | made if thing in made_by}
+        for thing in made | used_up:  # whoever takes it before has to be through with it
+            waits.update(taken_by[thing])
         if unit.phase == "prepare":
             prepared.add(place)
         elif unit.phase == "heat":
             waits |= prepared
         for thing in taken:
-            taken_by.setdefault(thing, []).append(place)
+            taken_by[thing].append(place)
         for thing in made:
             made_by[thing], taken_by[thing] = place, []
         for thing in used_up:

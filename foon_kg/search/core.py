@@ -44,7 +44,7 @@ class Core:
         return (*(-1 - node for node in self.gap_nodes), *self.units)
 
     def only(self, steps: Iterable[int]) -> Core:
-        """Return the core of nothing but ``steps``, numbered anew in the same order, and of their inputs."""
+        """Return the core of nothing but ``steps`` (by number) and their inputs, numbered anew in the same order."""
         kept, gap_count = sorted(steps), len(self.gap_nodes)
         nodes = sorted({self.goal, *(node for step in kept for node in self.inputs[step])})
         place = {node: number for number, node in enumerate(nodes)}
@@ -60,16 +60,16 @@ class Core:
         )
 
     def translated(self, steps: int, other: Core) -> int:
-        """Return the set ``steps`` of this core as a set of the steps of ``other``, which has them all."""
+        """Return the set ``steps``, one bit a step, as a set of the steps of ``other``, which has them all."""
         place = {name: step for step, name in enumerate(other.names)}
         return sum(1 << place[self.names[step]] for step in bits_of(steps))
 
     def units_in(self, steps: int) -> int:
-        """How many units are in the set ``steps``."""
+        """Return the number of units in the set ``steps`` (one bit a step); gaps are none."""
         return (steps >> len(self.gap_nodes)).bit_count()
 
     def penalty_of(self, steps: int) -> int:
-        """Return the sum of the costs of the gaps in the set ``steps``."""
+        """Return the gap penalty of the set ``steps`` (one bit a step): the sum of the costs of its gaps."""
         gaps = steps & ((1 << len(self.gap_nodes)) - 1)
         return sum(self.costs[gap] for gap in bits_of(gaps)) if gaps else 0
 
@@ -79,7 +79,7 @@ class Core:
         return any(self.foods)
 
     def foods_of(self, steps: int) -> int:
-        """Return the set of the wanted foods that occur in the set ``steps``."""
+        """Return the wanted foods that occur in the set ``steps`` (one bit a step), one bit a food."""
         if not self.has_foods:
             return 0
         found = 0
@@ -89,7 +89,7 @@ class Core:
 
 
 def bits_of(mask: int) -> Iterator[int]:
-    """Yield the numbers in a set, the least first."""
+    """Yield the numbers of the bits that are set in ``mask``, the least first."""
     while mask:
         low = mask & -mask
         yield low.bit_length() - 1
@@ -97,18 +97,20 @@ def bits_of(mask: int) -> Iterator[int]:
 
 
 def core_behind(problem: SearchProblem, goal: int, *, limit: float = math.inf) -> Core:
-    """Collect everything that may take part in making the node ``goal`` (its number in the index).
+    """Return the core of all that may take part in making the node ``goal`` (its number in the index of ``problem``).
 
-    With a ``limit`` that is everything that may be in a tree whose gaps cost no more; nothing may be available then.
+    With a ``limit`` (a gap penalty) that is everything that may be in a tree whose gaps cost no more; nothing may be
+    available then.
     """
     return _numbered(problem, goal, _behind(problem, goal, problem.index.producers[goal], limit), limit)
 
 
 def core_behind_any(problem: SearchProblem, goals: Iterable[int], *, limit: float = math.inf) -> Core:
-    """Collect everything that may take part in making one of the nodes ``goals``, whichever it is.
+    """Return the core of all that may take part in making one of the nodes ``goals``, whichever it is.
 
-    The goal of the core is ``ANY_GOAL``: every unit makes it that makes one of ``goals``. These are nodes like others,
-    and so a tree of this core may take one of them to make the same one again.
+    ``goals`` are numbers in the index of ``problem``, ``limit`` is a gap penalty as in :func:`core_behind`. The goal of
+    the core is ``ANY_GOAL``: every unit makes it that makes one of ``goals``. These are nodes like others, and so a
+    tree of this core may take one of them to make the same one again.
     """
     makers = sorted({unit for goal in goals for unit in problem.index.producers[goal]})
     found = _behind(problem, ANY_GOAL, makers, limit)
@@ -170,7 +172,10 @@ def _numbered(
 def foods_of_steps(
     index: UnitIndex, gaps: Sequence[int], units: Sequence[int], wanted: Mapping[str, int]
 ) -> tuple[int, ...]:
-    """Return the wanted foods of each step of a core: none for a gap, those that it names for a unit."""
+    """Return the wanted foods of each step of a core, one bit a food: none for a gap, those that it names for a unit.
+
+    ``gaps`` are nodes and ``units`` units by their numbers in ``index``; ``wanted`` gives names the number of a food.
+    """
     foods: dict[int, int] = {}
     for label, number in wanted.items():
         for unit in index.units_naming.get(label, ()):

@@ -63,7 +63,7 @@ class CutBound:
     heights: Heights
 
     def least_with(self, core: Core, step: int) -> float:
-        """Return what any tree with ``step`` weighs at least, infinite where there is none."""
+        """Return what any tree of ``core`` that has ``step`` weighs at least, infinite where there is none."""
         dearest: float = 0  # an integer as long as it is finite: sums of efforts need every digit
         of_node = self.heights.of_node
         for node in core.inputs[step]:
@@ -73,7 +73,11 @@ class CutBound:
 
 
 def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> Heights:
-    """Find the heights of all nodes: the dearest input counts, and the cheapest maker. Nodes ``there`` are free."""
+    """Return the heights of all nodes of ``web``: the dearest input of a step counts, and the cheapest maker of a node.
+
+    ``weights`` are those of the steps by number; the nodes ``there`` are free. This is h^max (Bonet and Geffner:
+    Planning as heuristic search, 2001), by Dijkstra's algorithm.
+    """
     outputs, users = web.core.outputs, web.users
     of_node = _at_once(web, weights, there)
     missing, supporter = web.arity.copy(), [_NEVER] * len(web.arity)
@@ -114,7 +118,10 @@ def _at_once(web: Web, weights: Sequence[int], there: Collection[int]) -> list[f
 
 
 def lower(web: Web, weights: Sequence[int], found: Heights, cheaper: Sequence[int]) -> None:
-    """Bring ``found`` up to date where the steps ``cheaper`` weigh less than they did: few heights fall."""
+    """Bring the heights ``found`` up to date where the steps ``cheaper`` have lesser ``weights`` than before.
+
+    Only what falls is looked at in ``web``: few heights do.
+    """
     inputs, outputs, users = web.core.inputs, web.core.outputs, web.users
     of_node, supporter = found.of_node, found.supporter
     waiting: list[tuple[float, int]] = []
@@ -147,8 +154,9 @@ def cut_bound(
     *,
     limit: float = math.inf,
 ) -> CutBound | None:
-    """Return the bound for making all of ``goals`` where the nodes ``there`` are free.
+    """Return what making all of ``goals`` weighs at least where the nodes ``there`` are free, and what that leaves.
 
+    The LM-cut heuristic (Helmert and Domshlak, ICAPS 2009): each cut of ``web`` pays the least of its ``weights``.
     ``None`` when nothing makes them, or when the bound is more than ``limit``. That is often plain before all cuts are
     taken: a cut lowers the height of the dearest goal by no more than its price, so that the bound comes to at least
     what was paid and the height that is left.

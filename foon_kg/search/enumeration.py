@@ -34,7 +34,7 @@ class Enumeration:
     looked_at: int
 
     def first(self, most: int) -> tuple[ReferenceTree, ...]:
-        """Return the best ``most`` trees, each with its units in an order in which they can be executed."""
+        """Return the at most ``most`` best trees, each with its units in an order in which they can be executed."""
         return tuple(_scheduled(self.problem, tree) for tree in self.found[:most])
 
     @cached_property

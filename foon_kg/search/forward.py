@@ -14,7 +14,11 @@ from foon_kg.search.core import Core
 
 
 def chain(core: Core, steps: Collection[int] | None = None) -> tuple[list[int], list[bool]]:
-    """Return which of ``steps`` (all) can be executed, in an order in which they can, and which nodes that makes."""
+    """Return which steps of ``core`` can be executed, in an order in which they can, and which nodes that makes.
+
+    Of ``steps`` (by number), of all where none are given. Forward chaining: a step runs once all of its inputs are
+    made.
+    """
     steps = range(core.step_count) if steps is None else steps
     users, missing = _users(core, steps)
     order = [step for step in sorted(steps) if not missing[step]]
@@ -31,9 +35,10 @@ def chain(core: Core, steps: Collection[int] | None = None) -> tuple[list[int], 
 
 
 def cheapest_first(core: Core) -> int:
-    """Return the steps of a tree that makes the goal, cheap derivations first.
+    """Return the steps of a tree of ``core`` that makes its goal, cheap derivations first: a set of bits.
 
-    Raises ValueError when nothing makes it; :func:`chain` tells.
+    Knuth's generalization of Dijkstra's algorithm (1977), with the union of steps as the cost. Raises ValueError when
+    nothing makes the goal; :func:`chain` tells.
     """
     users, missing = _users(core, range(core.step_count))
     waiting: list[tuple[int, int, int, int]] = []

@@ -39,7 +39,10 @@ class Ground:
 
     @classmethod
     def behind(cls, problem: SearchProblem, goals: Goals, deadline: Deadline) -> Ground | None:
-        """Look behind ``goals``, whatever the problem wants; ``None`` where nothing makes any of them."""
+        """Return the ground behind ``goals``, whatever ``problem`` wants; ``None`` where nothing makes them.
+
+        What is not done when the ``deadline`` passes is not proven.
+        """
         nothing = SearchProblem(problem.index, problem.targets, available=problem.available)
         found = _within_limits(nothing, goals, deadline)
         if found is None:
@@ -57,12 +60,15 @@ class Ground:
         return self.at_least == self.reduced.penalty
 
     def undecided(self, wanted: Mapping[str, int]) -> dict[str, int]:
-        """Return the part of ``wanted`` that some trees have and others have not: the choice turns on no other."""
+        """Return the part of ``wanted`` (names by the number of a food) that some trees have and others not.
+
+        The choice between trees turns on no other food.
+        """
         settled = {number for label, number in wanted.items() if label in self.certain}
         return {label: number for label, number in wanted.items() if number not in settled and label in self.possible}
 
     def wanting(self, undecided: Mapping[str, int]) -> Reduced:
-        """Return what may be in a tree, with the wanted foods of its steps."""
+        """Return what may be in a tree, with the ``undecided`` foods of its steps, one bit for the number of a food."""
         if not undecided:
             return self.reduced
         core = self.reduced.core
@@ -79,7 +85,10 @@ class Explored:
     )
 
     def ground(self, problem: SearchProblem, goals: Goals, deadline: Deadline) -> Ground | None:
-        """Return :meth:`Ground.behind`, known or found now; what is not proven is not kept."""
+        """Return :meth:`Ground.behind` for the ``goals`` of ``problem``, known or found before the ``deadline``.
+
+        What is not proven is not kept.
+        """
         if goals in self.grounds:
             return self.grounds[goals]
         ground = Ground.behind(problem, goals, deadline)
@@ -119,7 +128,7 @@ def _labels(index: UnitIndex, core: Core, steps: Iterable[int]) -> frozenset[str
 
 
 def alike(wanted: Mapping[str, int]) -> frozenset[frozenset[str]]:
-    """Return ``wanted`` as the labels that stand for one food each: the numbers are but names."""
+    """Return the names of ``wanted`` in groups that stand for one food each; its numbers are dropped."""
     groups: dict[int, set[str]] = {}
     for label, number in wanted.items():
         groups.setdefault(number, set()).add(label)

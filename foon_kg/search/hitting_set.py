@@ -59,7 +59,7 @@ class HittingSets:
         return possible
 
     def cost_of(self, members: int) -> int:
-        """Return the sum of the costs of ``members``."""
+        """Return the sum of the costs of ``members``, a set with one bit a member."""
         return sum(self.costs[member] for member in bits_of(members))
 
     def _cheapest_of_part(self, sets: tuple[int, ...], limit: float) -> int | None:
@@ -104,7 +104,7 @@ def _undominated(sets: list[int], costs: Sequence[int]) -> list[int]:
 
 
 def parts_of(sets: Sequence[int]) -> list[tuple[int, ...]]:
-    """Return ``sets`` in groups that have no member in common, in each the smallest first."""
+    """Return ``sets`` (one bit a member) in groups that have no member in common, in each the smallest first."""
     parts: list[tuple[int, list[int]]] = []
     for one in sets:
         members, group, apart = one, [one], []
@@ -118,7 +118,7 @@ def parts_of(sets: Sequence[int]) -> list[tuple[int, ...]]:
 
 
 def minimal(sets: Sequence[int]) -> list[int]:
-    """Return ``sets`` without those that have another one of them in them, the smallest first."""
+    """Return ``sets`` (one bit a member) without those that have another one of them in them, the smallest first."""
     kept = list[int]()
     for one in sorted(set(sets), key=lambda members: (members.bit_count(), members)):
         if not any(other & one == other for other in kept):

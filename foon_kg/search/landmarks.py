@@ -25,7 +25,10 @@ class Landmarks:
 
 
 def landmarks_of(core: Core, order: Sequence[int]) -> Landmarks:
-    """Find the landmarks among the steps of ``order``, which is one in which they can be executed."""
+    """Return the landmarks of ``core`` among the steps of ``order`` (numbers), in which they can be executed.
+
+    The greatest fixed point of Keyder, Richter and Helmert (ECAI 2010), see above.
+    """
     width = len(core.nodes)  # nodes in the low bits, steps above them
     of_node, of_step = [0] * width, [0] * core.step_count
     changed = True

@@ -12,7 +12,7 @@ from foon_kg.search.problem import NoWayError, SearchProblem
 
 
 def no_way(problem: SearchProblem, targets: Sequence[ObjectNode]) -> NoWayError:
-    """Explain why nothing makes any of ``targets`` (there is at least one)."""
+    """Return the error that says why nothing makes any of the ``targets`` (at least one) of ``problem``."""
     missing = tuple(dict.fromkeys(node for target in targets for node in missing_behind(problem, target)))
     goal = " or ".join(map(str, targets[:MOST_NAMED]))
     return NoWayError(
@@ -23,7 +23,7 @@ def no_way(problem: SearchProblem, targets: Sequence[ObjectNode]) -> NoWayError:
 
 
 def missing_behind(problem: SearchProblem, target: ObjectNode) -> tuple[ObjectNode, ...]:
-    """Return the nodes behind ``target`` that stop it, nearest first: what nothing makes, else circles."""
+    """Return the nodes of ``problem`` that stop ``target``, nearest first: what nothing makes, else circles."""
     number = problem.index.number_of.get(target)
     if number is None:
         return (target,)

@@ -21,7 +21,7 @@ class Partial:
     waiting: dict[int, int]
 
     def take(self, core: Core, node: int, step: int) -> Partial:
-        """Return this tree with ``step`` as the producer of the waiting ``node``."""
+        """Return this tree with ``step`` as the producer of the waiting ``node``, both by their numbers in ``core``."""
         waiting = dict(self.waiting)
         above = waiting.pop(node) | 1 << node
         decided = self.decided | 1 << node
@@ -50,12 +50,15 @@ class Choice:
         return Partial(0, 0, {self.core.goal: 0})
 
     def options(self, partial: Partial, node: int) -> list[int]:
-        """Return the steps that may be chosen for the waiting ``node``: those that need nothing that depends on it."""
+        """Return the steps that may be chosen for a ``node`` that waits in ``partial``, all by their numbers.
+
+        They are those that need nothing which depends on the node, or a tree would go in circles.
+        """
         blocked = partial.waiting[node] | 1 << node
         return [step for step in self.makers[node] if not self.needed_by[step] & blocked]
 
     def forced(self, partial: Partial) -> Partial | None:
-        """Choose while a waiting node has one option only; ``None`` where one has none."""
+        """Return ``partial`` grown for as long as a waiting node has one option only; ``None`` where one has none."""
         while partial.waiting:
             node, options = self._tightest(partial)
             if not options:

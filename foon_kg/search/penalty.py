@@ -30,7 +30,11 @@ class LeastPenalty:
 
 
 def within_least_penalty(core: Core, deadline: Deadline) -> LeastPenalty | None:
-    """Find the least gap penalty of any tree that makes the goal; ``None`` where nothing makes it."""
+    """Return the least gap penalty of any tree that makes the goal of ``core``, and the steps of such trees.
+
+    ``None`` where nothing makes it. By minimal landmarks and hitting sets (Haslum, Slaney and Thiébaux, ICAPS 2012);
+    after the ``deadline`` the least penalty found stands for the proven one.
+    """
     units = range(len(core.gap_nodes), core.step_count)
     order, made = chain(core, units)
     if made[core.goal]:
@@ -176,7 +180,7 @@ class _Made:
 
 
 def reachable(core: Core, steps: Iterable[int]) -> set[int]:
-    """Return the steps of ``steps`` that may take part in making the goal."""
+    """Return those of ``steps`` (numbers in ``core``) that may take part in making its goal."""
     makers: list[list[int]] = [[] for _ in core.nodes]
     for step in steps:
         for node in core.outputs[step]:

@@ -25,10 +25,11 @@ def retrieve_once(
     time_limit: float | None = 2.0,
     explored: Explored | None = None,
 ) -> ReferenceTree:
-    """Return what :func:`~foon_kg.search.retrieve` answers, from ``memory`` where it has been answered before.
+    """Return what :func:`~foon_kg.search.retrieve` answers to ``problem``, from ``memory`` if it was asked before.
 
-    What had to be searched for is remembered if it is proven. A problem with several targets, or with nodes that
-    another tree made, is always searched.
+    What had to be searched for (in ``time_limit`` seconds) is remembered if it is proven. A problem with several
+    targets, or with nodes that another tree made, is always searched. ``explored`` holds what was found in the index so
+    far.
     """
     (target, *others) = problem.targets
     number = problem.index.number_of.get(target)
@@ -47,12 +48,12 @@ def retrieve_once(
 
 
 def question_of(problem: SearchProblem) -> str:
-    """Return a name for what is asked: the goal, and which foods count as which required ingredient."""
+    """Return a name for what ``problem`` asks: the goal, and which foods count as which required ingredient."""
     return content_key(RULES, problem.targets[0].key, sorted(problem.wanted.items()))
 
 
 def grounds_of(problem: SearchProblem, core: Core) -> str:
-    """Return a name for all that may decide the answer: the units, and which of their nodes are there or cost what."""
+    """Return a name for all in ``core`` that may decide the answer to ``problem``: units, what is there, costs."""
     index = problem.index
     nodes = [(index.nodes[number].key, index.gap_costs[number]) for number in core.nodes]
     return content_key([index.units[number].unit.key for number in core.units], nodes)

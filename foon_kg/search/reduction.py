@@ -35,7 +35,7 @@ class Reduced:
 
     @classmethod
     def of(cls, core: Core, penalty: int, steps: Collection[int]) -> Reduced:
-        """Reduce ``core`` to what may be in a tree made of ``steps`` with that ``penalty``; it is numbered anew."""
+        """Return what may be in a tree of ``core`` that has only ``steps`` and that ``penalty``, numbered anew."""
         while True:
             core = core.only(reachable(core, steps))
             order, _ = chain(core)
@@ -46,7 +46,10 @@ class Reduced:
                 return cls(core, penalty, Web.of(core), choice, landmarks, *_behind(choice))
 
     def wanting(self, foods: tuple[int, ...]) -> Reduced:
-        """Return the same with these wanted ``foods`` of the steps: which trees there are does not turn on them."""
+        """Return the same with these wanted ``foods`` of the steps, one bit a food.
+
+        Which trees there are does not turn on them.
+        """
         core = replace(self.core, foods=foods)
         found = {mask: core.foods_of(mask) for mask in set(self.behind)}
         return replace(self, core=core, foods=[found[mask] for mask in self.behind])
@@ -69,14 +72,14 @@ class Reduced:
         return self.core.penalty_of(self.landmarks.steps_of_node[self.core.goal]) == self.penalty
 
     def gap_weights(self, paid: int) -> list[int]:
-        """Return the weight of each step where gaps count their cost, and units and the steps in ``paid`` nothing."""
+        """Return the weight of each step: of a gap its cost, of units and of the steps in ``paid`` (bits) nothing."""
         weights = [*self.core.costs, *[0] * len(self.core.units)]
         for step in bits_of(paid & ((1 << len(self.core.costs)) - 1)):
             weights[step] = 0
         return weights
 
     def unit_weights(self, paid: int) -> list[int]:
-        """Return the weight of each step where units count one, and gaps and the steps in ``paid`` nothing."""
+        """Return the weight of each step where units count one, and gaps and the steps in ``paid`` (bits) nothing."""
         weights = [0] * len(self.core.gap_nodes) + [1] * len(self.core.units)
         for step in bits_of(paid):
             weights[step] = 0
@@ -84,7 +87,10 @@ class Reduced:
 
 
 def value_of(core: Core, steps: int) -> Value:
-    """Return the place of the tree ``steps`` in the order of trees."""
+    """Return the place of the tree ``steps`` (bits) of ``core`` in the order of trees, the lesser the better.
+
+    It is (gap penalty, minus the overlap, units, minus the set): the objective of algorithm 3, then the least keys.
+    """
     return (core.penalty_of(steps), -core.foods_of(steps).bit_count(), core.units_in(steps), -steps)
 
 

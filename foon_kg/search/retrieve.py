@@ -115,7 +115,10 @@ def _best_steps(reduced: Reduced, deadline: Deadline) -> tuple[Core, int, Bound 
 
 
 def as_tree(problem: SearchProblem, core: Core, steps: int, bound: Bound | None) -> ReferenceTree:
-    """Return the set ``steps`` of ``core`` as a tree in an order in which it can be executed."""
+    """Return the set ``steps`` of ``core`` (bits) as a tree of ``problem`` in an order in which it can be executed.
+
+    ``bound`` is what is proven where that is not that the tree is the best.
+    """
     return _ordered(problem, problem.index.nodes[core.nodes[core.goal]], core, steps, bound)
 
 
@@ -135,7 +138,7 @@ def _ordered(problem: SearchProblem, goal: ObjectNode, core: Core, steps: int, b
 
 
 def covering(tree: ReferenceTree, wanted: Mapping[str, int]) -> ReferenceTree:
-    """Return ``tree`` with the numbers of the wanted foods that occur in it."""
+    """Return ``tree`` with the foods of ``wanted`` (names by the number of a food) that occur in it."""
     labels = {node.label for known in tree.units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
     return replace(tree, covered=tuple(sorted({number for label, number in wanted.items() if label in labels})))
 

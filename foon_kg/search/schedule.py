@@ -7,7 +7,8 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from heapq import heappop, heappush
 
-from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode
+from foon_kg.model import KnownUnit, ObjectNode
+from foon_kg.model.tree import used_up
 
 Urgency = tuple[bool, int, int, int]
 """Whether a unit waits for another maker of what it takes; how many others still need what it uses up, of made things
@@ -143,14 +144,11 @@ def _each_leads_on(order: Sequence[KnownUnit]) -> bool:
     return True
 
 
-def used_up(unit: FunctionalUnit) -> list[ObjectNode]:
-    """Return the nodes that ``unit`` takes and does not leave as they were: moved, changed, or gone into another."""
-    left = set(unit.output_nodes)
-    return [node for node in unit.input_nodes if node not in left]
-
-
 def last_of(units: Sequence[KnownUnit], there: Collection[ObjectNode], goal: ObjectNode) -> KnownUnit | None:
-    """Return the unit that makes the goal and that no other needs, or ``None``: the others can all run without it."""
+    """Return the one of ``units`` that makes the ``goal`` and that no other needs; ``None`` where there is none.
+
+    The others can all run without it from the nodes that are ``there``.
+    """
     makers = (known for known in units if goal in known.unit.output_nodes)
     return next((m for m in makers if _can_all_run([known for known in units if known is not m], there)), None)
 

@@ -73,18 +73,19 @@ class UnitIndex:
     def least_penalties(self) -> tuple[float, ...]:
         """Return for each node what having it costs at least, in gaps: infinite where nothing makes it.
 
-        The dearest input of a unit counts, and the cheapest way to a node: h^max, by Dijkstra's algorithm.
+        The dearest input of a unit counts, and the cheapest way to a node: h^max (Bonet and Geffner: Planning as
+        heuristic search, 2001), by Dijkstra's algorithm.
         """
         users: list[list[int]] = [[] for _ in self.nodes]
-        missing = [0] * len(self.units)
+        missing = [0] * len(self.units)  # how many inputs of a unit nobody has yet
         least = [0 if there else math.inf for there in self.at_hand]
         waiting = [(cost, node) for node, cost in enumerate(self.gap_costs) if cost is not None]
         for unit, nodes in enumerate(self.inputs):
-            for node in nodes:
-                if not self.at_hand[node]:
-                    users[node].append(unit)
-                    missing[unit] += 1
-            if not missing[unit]:
+            wanted = [node for node in nodes if not self.at_hand[node]]
+            missing[unit] = len(wanted)
+            for node in wanted:
+                users[node].append(unit)
+            if not wanted:
                 waiting += [(0, node) for node in self.outputs[unit]]
         heapify(waiting)
         while waiting:
@@ -94,9 +95,8 @@ class UnitIndex:
             least[node] = cost
             for unit in users[node]:
                 missing[unit] -= 1
-                if not missing[unit]:
-                    for made in self.outputs[unit]:
-                        heappush(waiting, (cost, made))
+                for made in self.outputs[unit] if not missing[unit] else ():  # its last input is its dearest
+                    heappush(waiting, (cost, made))
         return tuple(least)
 
     @cached_property

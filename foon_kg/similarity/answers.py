@@ -42,12 +42,18 @@ class Similarity(Protocol):
 def nearest_of_each(
     similarity: Similarity, names: Sequence[str], known: Sequence[str], limit: int
 ) -> tuple[tuple[Neighbour, ...], ...]:
-    """Return :meth:`Similarity.nearest` of each of ``names``, in one product."""
+    """Return the at most ``limit`` of ``known`` that ``similarity`` finds nearest to each of ``names``, in one product.
+
+    Each list is :meth:`Similarity.nearest` of its name.
+    """
     return tuple(best(known, row, limit) for row in similarity.matrix(names, known))
 
 
 def best(known: Sequence[str], confidences: Confidences, limit: int) -> tuple[Neighbour, ...]:
-    """Return the ``limit`` greatest of one row of confidences above 0, best first, ties by name (C9)."""
+    """Return the at most ``limit`` greatest of a row of ``confidences`` above 0, best first, ties by name (C9).
+
+    The row has a confidence for each of ``known``, in their order.
+    """
     like = [(name, sure) for name, sure in zip(known, confidences.tolist(), strict=True) if sure > 0]
     rows = sorted(like, key=lambda row: (-row[1], row[0]))
     return tuple(Neighbour(name, confidence) for name, confidence in rows[: max(limit, 0)])

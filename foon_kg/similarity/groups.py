@@ -37,7 +37,10 @@ class FoodGroups:
     places: dict[str, int]
 
     def rows(self, names: Sequence[str], nearness: Nearness) -> Memberships:
-        """Return one row of memberships (0 to 1 in each group) for each canonical name."""
+        """Return one row of memberships (0 to 1 in each group) for each canonical name.
+
+        ``nearness`` says how near a name is to those that the groups list.
+        """
         rows = np.zeros((len(names), len(self.groups)))
         strange = []
         for row, name in enumerate(names):

@@ -12,9 +12,9 @@ from foon_kg.similarity.roles import roles
 
 
 def in_role(name: str, known: Sequence[str], role: str, limit: int) -> tuple[Neighbour, ...]:
-    """Return the known foods that a cook takes for ``name`` where it plays ``role``, best first, ties by name.
+    """Return the at most ``limit`` of ``known`` that a cook takes for ``name`` where it plays ``role``, best first.
 
-    Raises ``UsageError`` for a role that nobody knows.
+    Ties are by name. Raises ``UsageError`` for a role that nobody knows.
     """
     if role not in roles():
         raise UsageError(f"no food is known to be there as “{role}”", hint=f"Write one of {', '.join(roles())}.")

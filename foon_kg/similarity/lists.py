@@ -40,7 +40,9 @@ def matching(
 ) -> tuple[float, tuple[Pair, ...]]:
     """Return the pairs of greatest total confidence in which each food counts once, and that total.
 
-    Pairs come in the order of ``required``; pairs of no confidence at all are left out.
+    Pairs of a ``required`` and a ``known`` food come in the order of ``required``; pairs of no confidence at all are
+    left out. ``similarity`` is ``food_similarity()`` where none is given. It stands for the count of algorithm 2 (Sakib
+    et al. 2021), in which one food may count in many pairs.
     """
     weights = _similarities(required, known, similarity)
     pairs = tuple(
@@ -58,7 +60,7 @@ def _similarities(required: Sequence[str], known: Sequence[str], similarity: Sim
 def heaviest_matching(weights: Confidences) -> list[tuple[int, int]]:
     """Return (row, column) pairs, each row and column at most once, of the greatest total weight; rows ascending.
 
-    ``weights`` are not negative. The Hungarian method in Jonker's and Volgenant's form: for each row the
+    ``weights`` are not negative. The Hungarian method in Jonker's and Volgenant's form (1987): for each row the
     shortest augmenting path under reduced costs; O(rows² · columns).
     """
     if weights.shape[0] > weights.shape[1]:

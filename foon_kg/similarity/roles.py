@@ -18,6 +18,6 @@ def roles() -> tuple[str, ...]:
 
 @lru_cache(maxsize=1 << 14)
 def roles_of(name: str) -> frozenset[str]:
-    """Return the roles that a food may play, as the table of foods has it."""
+    """Return the roles that a food of this ``name`` may play, as the table of foods has it."""
     facts = tables().foods.food(name)
     return frozenset(role for role in roles() if not word_lists()[_PREFIX + role].isdisjoint({facts.kind, name}))

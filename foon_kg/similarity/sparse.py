@@ -25,7 +25,7 @@ class SparseRows:
 
     @classmethod
     def of(cls, rows: Sequence[Mapping[int, float]], width: int) -> SparseRows:
-        """Return the matrix whose rows say what stands in which column."""
+        """Return the matrix of ``width`` columns whose ``rows`` say what stands in which column."""
         counts = np.array([len(row) for row in rows], dtype=np.int64)
         places = np.array([place for row in rows for place in row], dtype=np.int64)
         values = np.array([value for row in rows for value in row.values()], dtype=np.float64)
@@ -41,7 +41,7 @@ class SparseRows:
         return self.folded(self.width)
 
     def folded(self, width: int) -> Table:
-        """Return the matrix in ``width`` columns: column n is added to column n modulo ``width``."""
+        """Return the matrix in at most ``width`` columns: column n is added to column n modulo ``width``."""
         rows = np.repeat(np.arange(len(self.counts)), self.counts)
         cells = np.bincount(rows * width + self.places % width, self.values, len(self.counts) * width)
         return cells.astype(np.float64, copy=False).reshape(len(self.counts), width)

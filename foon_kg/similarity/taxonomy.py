@@ -37,7 +37,7 @@ class FoodTaxonomy:
         return tuple(sorted({self.names[kind] for one in self.meanings.get(name, ()) for kind in self.above[one]}))
 
     def shared(self, one: str, other: str) -> str | None:
-        """Return the name of the most telling kind that both canonical names belong to."""
+        """Return the name of the most telling kind that two canonical names, ``one`` and the ``other``, belong to."""
         both = self._kinds(one).keys() & self._kinds(other).keys()
         telling = {kind: sum(self.added[above] for above in self.above[kind]) for kind in both}
         return self.names[min(both, key=lambda kind: (-telling[kind], kind))] if both else None

@@ -19,7 +19,7 @@ _STEMMER = Stemmer("english")
 
 
 def stem(word: str) -> str:
-    """Return the English Snowball stem, under which the vectors are kept."""
+    """Return the English Snowball stem of a ``word``, under which the vectors are kept."""
     return str(_STEMMER.stemWord(word))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Match, is_unbaked, singular, words
 from foon_kg.food.lists import word_list
@@ -144,16 +144,32 @@ def _is_in(case: Case, food: str) -> bool:
 
 
 def asked(case: Case) -> Iterator[Finding]:
-    """K6: every asked food is in the dish, and mixed in where the rest is mixed."""
+    """K6: every asked food is in the dish, and mixed in where the rest is mixed; what is for serving is not cooked."""
     if case.dish is None:
         return
+    beside = _for_serving(case)
     mixing = [part.mixed for part in case.parts if part.mixed is not None]
     for food in sorted(case.required_names):
         parts = _parts_of(case, food)
         if not parts and not was_taken_out(case, food):
             yield Finding("K6", f"{food} was asked for and is not in the dish", None, (case.goal,) if case.goal else ())
+        elif food in beside:
+            if parts and _is_cooked_for_nothing(parts):
+                yield Finding("K6", f"{food} is for serving and is cooked with the rest", parts[0].heated)
         elif parts and mixing and all(_left_out(case, part, max(mixing)) for part in parts) and _mixes(case):
             yield Finding("K6", f"{food} is not mixed with the rest", parts[0].joined)
+
+
+def _for_serving(case: Case) -> frozenset[str]:
+    """Return the foods of which the recipe says that they are served with the dish, and nothing else."""
+    said = word_list("is for what is done")
+    inside = {singular(wanted.object) for wanted in case.required if wanted.part not in said}
+    return frozenset(case.required_names - inside)
+
+
+def _is_cooked_for_nothing(parts: Sequence[Part]) -> bool:
+    """Whether all that there is of a food was heated, which needs no heat."""
+    return all(part.heated is not None and {"boil", "cook"}.isdisjoint(part.food.owes) for part in parts)
 
 
 def _parts_of(case: Case, food: str) -> list[Part]:

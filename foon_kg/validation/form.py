@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from foon_kg.food import singular, words
+from foon_kg.food.told_states import in_turn
 from foon_kg.model import DISH_TYPES, ObjectNode
 from foon_kg.validation.case import Case, was_taken_out
 from foon_kg.validation.dish import missing_namesakes
@@ -138,10 +139,12 @@ def complete(case: Case) -> Iterator[Finding]:
         shown.setdefault(singular(node.label), set()).update(node.states)
     for wanted in sorted(set(case.required)):
         food = singular(wanted.object)
-        is_shown = food in shown and (not wanted.state or wanted.state in shown[food])
-        if not is_shown and (food, wanted.state) not in declared:
-            state = f" in the state “{wanted.state}”" if wanted.state else ""
-            yield Finding("C4", f"no node of the tree is {wanted.object}{state}, as required")
+        told = {state for name, state in declared if name == food}
+        for state in in_turn(wanted.state) or ("",):
+            is_shown = food in shown and (not state or state in shown[food])
+            if not is_shown and state not in told:
+                so = f" in the state “{state}”" if state else ""
+                yield Finding("C4", f"no node of the tree is {wanted.object}{so}, as required")
         if food not in case.parts_by_name and not was_taken_out(case, food):
             yield Finding("C4", f"{wanted.object} is required and is not in the goal", None, _one(case.goal))
 

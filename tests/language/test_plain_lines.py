@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from foon_kg.food.told_states import in_turn
 from foon_kg.language.plain_lines import AGREES, amount_in_front, read_quickly
 from foon_kg.language.recipe_lines import read_fully
 from foon_kg.model.names import canonical
@@ -141,7 +142,7 @@ def test_what_is_read_is_what_was_written(food, state, unit, number):
     if answer is not None:
         assert canonical(" ".join((*answer.states, answer.object))).endswith(canonical(answer.object))
         assert canonical(food).endswith(canonical(answer.object))
-        assert answer.state == state
+        assert in_turn(answer.state)[-1] == state  # “boiled egg, chopped” is both
 
 
 @pytest.mark.parametrize(

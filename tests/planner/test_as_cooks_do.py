@@ -141,3 +141,20 @@ def test_what_was_peeled_is_cut_by_a_motion_that_does_not_peel_it_again(steps):
     told = steps("drinks", "Mango Smoothie", "mango:cubed", "orange juice:juice", "yogurt:creamy")
     motions = [motion for inputs, motion, _ in told if "mango" in inputs and "knife" in inputs]
     assert sum("peel" in KNOWN.motion(motion).does for motion in motions) == 1
+
+
+@pytest.mark.parametrize(
+    ("food", "state", "heated", "divided"),
+    [
+        ("egg", "boiled, chopped", {"boil"}, {"chop"}),
+        ("beet", "boiled, grated", {"boil", "cook"}, {"grate"}),
+        ("walnut", "toasted, chopped", {"toast"}, {"chop"}),
+        ("bacon", "cooked, crumbled", {"cook", "cook and stir", "fry"}, {"pull apart", "crumble", "chop"}),
+    ],
+)
+def test_what_is_asked_cooked_and_divided_is_divided_when_it_is_cooked(steps, food, state, heated, divided):
+    told = steps("salad", "Plain Salad", f"{food}:{state}", "lettuce:chopped", "mayonnaise:creamy")
+    done = [motion for inputs, motion, _ in told if food in inputs]
+    (hot, *_) = [place for place, motion in enumerate(done) if motion in heated]
+    assert divided & set(done[hot:])
+    assert not divided & set(done[:hot])

@@ -117,3 +117,30 @@ def test_what_a_recipe_says_is_for_the_filling_is_not_in_the_dough(steps):
     )  # fmt: skip
     assert inside(told, "mix") == {"brown sugar", "cinnamon", "butter"}
     assert {"brown sugar", "cinnamon"}.isdisjoint(inside(told, "knead"))
+
+
+def test_crumbs_for_the_topping_are_rubbed_and_come_on_before_the_oven(steps):
+    told = steps(
+        "muffin", "Banana Streusel Muffins", "flour:powder", "baking soda:powder", "banana:mashed", "sugar:granulated",
+        "egg:raw", "butter:melted", "brown sugar:granulated:topping", "flour:powder:topping", "butter:cold:topping",
+    )  # fmt: skip
+    mixed = [{food for node in out for food in node.ingredients} for _, motion, out in told if motion == "mix"]
+    assert {"brown sugar", "flour", "butter"} in mixed
+    assert "brown sugar" in inside(told, "bake")
+
+
+def test_a_dip_is_stirred_of_all_that_is_listed_with_it_and_what_is_for_serving_lies_beside(steps):
+    told = steps(
+        "chicken", "Buffalo Wings with Blue Cheese Dip", "chicken wing:raw", "hot sauce:sauce", "butter:melted",
+        "sour cream:creamy", "mayonnaise:creamy", "blue cheese:crumbled", "celery:cut:serving",
+    )  # fmt: skip
+    assert inside(told, "stir") == {"sour cream", "mayonnaise", "blue cheese"}
+
+
+def test_done_grain_and_toasted_nuts_join_what_simmers_last(steps):
+    told = steps(
+        "rice", "Pilaf", "butter:unmelted", "onion:chopped", "rice:uncooked", "chicken broth:liquid", "almond:toasted",
+        "salt:granulated",
+    )  # fmt: skip
+    places = [place for place, (inputs, motion, _) in enumerate(told) if motion == "simmer"]
+    assert places[0] < next(p for p, (inputs, one, _) in enumerate(told) if "almond" in inputs and "pot" in inputs)

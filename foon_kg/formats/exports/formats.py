@@ -99,14 +99,17 @@ def export_foon(foon: Snapshot, form: str, costs: MotionCosts = NO_COSTS) -> tup
 
 
 def weights_file(costs: MotionCosts) -> ExportFile:
-    """Return the weights of motions as the file that ``foon load weights`` reads; raises UsageError without any."""
+    """Return the ``costs`` of motions as the file that ``foon load weights`` reads; raises UsageError without any."""
     if not costs:
         raise UsageError("this FOON has no weights of motions", hint="Store some with: foon load weights FILE")
     return ExportFile("motion_cost.json", write_weights(costs))
 
 
 def pddl_files(name: str, written: PlanningProblem) -> tuple[ExportFile, ...]:
-    """Return a planning problem as its files: the domain, the problem, and the plan where there is one."""
+    """Return a planning problem (``written``) as files that begin with ``name``.
+
+    They are the domain, the problem, and the plan where there is one.
+    """
     files = {"-domain.pddl": written.domain, "-problem.pddl": written.problem, ".plan": written.plan}
     return tuple(ExportFile(file_name(name) + ending, text) for ending, text in files.items() if text is not None)
 

@@ -21,6 +21,6 @@ def xml_text(text: str) -> str:
 
 
 def xml_document(root: ET.Element) -> str:
-    """Return a whole document, one element a line."""
+    """Return the document of the element ``root`` as text, one element a line."""
     ET.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, encoding="unicode") + "\n"

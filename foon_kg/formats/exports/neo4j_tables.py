@@ -25,7 +25,7 @@ SIGHTING = tuple(map(named, next(edges.columns for edges in EDGES if edges.type 
 
 
 def node_tables(foon: Snapshot) -> dict[str, list[Row]]:
-    """Return, for each label, the properties of its nodes."""
+    """Return, for each label, the properties of its nodes in ``foon``, one row a node."""
     counts = _counts(foon)
     objects = _objects(foon)
     foods = sorted(
@@ -48,7 +48,7 @@ def node_tables(foon: Snapshot) -> dict[str, list[Row]]:
 
 
 def edge_tables(foon: Snapshot) -> dict[str, list[Row]]:
-    """Return, for each type, the edges as (name of the start, name of the end, properties…).
+    """Return, for each type, the edges of ``foon`` as (name of the start, name of the end, properties…).
 
     A node is named by its key or its name, whichever it has.
     """

@@ -26,7 +26,7 @@ def node_text(node: ObjectNode) -> str:
 
 
 def unit_text(unit: FunctionalUnit) -> str:
-    """Return what goes in, what is done and what comes out, on one line."""
+    """Return a ``unit`` on one line: what goes in, what is done, and what comes out."""
     inputs, outputs = ("; ".join(map(node_text, side)) for side in (unit.input_nodes, unit.output_nodes))
     return f"{inputs} -> {_name(unit.motion)}{'*' if unit.accepts_any else ''} -> {outputs}"
 

@@ -25,7 +25,7 @@ from foon_kg.formats.exports.pddl_things import FOOD, UTENSIL, Action, Kitchenfu
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import FunctionalUnit, ObjectNode
 from foon_kg.model.errors import FormatError, UsageError
-from foon_kg.model.tree import nodes_of
+from foon_kg.model.tree import newly_made, nodes_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 
@@ -122,7 +122,7 @@ def foon_to_pddl(foon: Snapshot, goal: str, kitchen: Kitchen | None = None) -> P
 
 
 def _at_hand(units: Sequence[FunctionalUnit], kitchen: Kitchen) -> set[ObjectNode]:
-    made = {node for unit in units for node in unit.output_nodes if node not in unit.input_nodes}
+    made = {node for unit in units for node in newly_made(unit)}
     found = {node for node in nodes_of(units) if kitchen.has(node)}
     for unit in units:
         for node in unit.input_nodes:

@@ -27,12 +27,12 @@ def listed(names: Iterable[str]) -> str:
 
 
 def the(labels: Iterable[str]) -> str:
-    """Return ``the a, b and c``."""
+    """Return ``labels`` in words: ``the a, b and c``."""
     return f"the {listed(_said('names').get(label, label) for label in labels)}"
 
 
 def with_object(verb: str, thing: str) -> str:
-    """Return ``cut the onion in half``, ``cut off the ends of the onion``, ``let the dough rise``."""
+    """Return a ``verb`` with the ``thing`` it is done to: ``cut off the ends of the onion``, ``let the dough rise``."""
     said = _said("motions").get(verb, verb)
     if "\u2026" in said:
         return said.replace("\u2026", thing)
@@ -46,12 +46,15 @@ def with_object(verb: str, thing: str) -> str:
 
 
 def motion_said(verb: str) -> str:
-    """Return a motion alone as it is said: ``put``, ``rise``."""
+    """Return the motion of a ``verb`` alone as it is said: ``put``, ``rise``."""
     return _said("motions").get(verb, verb).removeprefix("let \u2026 ")
 
 
 def joined_by(verb: str) -> str | None:
-    """Return what stands between a thing and the other one it is joined to or taken from (attach: to), or None."""
+    """Return what stands between the two things of a ``verb`` that joins or takes apart (attach: to).
+
+    ``None`` for others.
+    """
     return _said("joins").get(verb)
 
 
@@ -65,13 +68,17 @@ def in_words(verb: str, states: Iterable[str]) -> tuple[str, str]:
     """
     if verb.rsplit(maxsplit=1)[-1] in _PARTS:
         return "", ""
-    silent, shapes = _unsaid(), _said("shapes")
-    told = [state for state in states if not is_place(state) and state not in silent and not _is_said_by(verb, state)]
+    shapes = _said("shapes")
+    told = [state for state in states if not _goes_without_saying(verb, state)]
     manner = next((state for state in told if _is_manner(verb, state)), "")
     cut = listed(shapes[state] for state in told if state in shapes)
     rest = listed(state for state in told if state not in shapes and state != manner)
     adverb = f"{manner.split()[0]} " if manner else ""
     return adverb, (f" into {cut}" if cut else "") + (f" until {rest}" if rest else "")
+
+
+def _goes_without_saying(verb: str, state: str) -> bool:
+    return is_place(state) or state in _unsaid() or _is_said_by(verb, state)
 
 
 def _is_said_by(verb: str, state: str) -> bool:
@@ -91,17 +98,17 @@ def _cognate(words: Iterable[str], state: str) -> bool:
 
 
 def stands_in(inner: str, outer: str, nodes: Iterable[ObjectNode]) -> bool:
-    """Return whether the thing of that label is in or on the other one."""
+    """Return whether the thing labelled ``inner`` is in or on the one labelled ``outer``, by their ``nodes``."""
     return any(node.label == inner and node.container == outer for node in nodes)
 
 
 def is_flat(label: str) -> bool:
-    """Return whether things lie on a utensil, and not in it: a board, a plate."""
+    """Return whether things lie on the utensil called ``label``, and not in it: a board, a plate."""
     return bool(label) and label.rsplit(maxsplit=1)[-1] in word_list("flat utensils")
 
 
 def hosts_things(label: str) -> str:
-    """Return ``in`` or ``on`` for an appliance in or on which things stand (an oven, a stove), ``""`` for the rest."""
+    """Return ``in`` or ``on`` for the ``label`` of an appliance (an oven, a stove), ``""`` for any other."""
     row = tables().utensil(label)
     return row.holds if row is not None and row.role == "appliance" and row.holds in {"in", "on"} else ""
 

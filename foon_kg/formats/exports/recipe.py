@@ -19,7 +19,7 @@ _IN_LINKS = "/:?=&%#+,;@~-._"
 
 
 def write_recipe(tree: ExportedTree, amounts: Mapping[RequiredIngredient, str] | None = None) -> str:
-    """Return a recipe that a person can cook from.
+    """Return ``tree`` as a recipe that a person can cook from, in Markdown.
 
     ``amounts`` says how much of an ingredient the recipe wants ("2 cups") instead of what was asked with the plan.
     """
@@ -95,7 +95,7 @@ def is_web_address(source: str) -> bool:
 
 
 def video_address(source: str, start: float | None) -> str:
-    """Return the address of a video from the second ``start`` on."""
+    """Return the address of the video ``source`` from the second ``start`` on; of no start, its beginning."""
     if start is None:
         return source
     parts = urlsplit(source)

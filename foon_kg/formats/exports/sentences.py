@@ -37,7 +37,10 @@ MOST_SAID = 1 << 12
 
 
 def sentence(unit: FunctionalUnit | TreeUnit, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
-    """Return one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop."""
+    """Return one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop.
+
+    ``kitchen`` tells foods from utensils.
+    """
     said = _said(unit.input_nodes, unit.motion, unit.output_nodes, kitchen) + measured_words(measures, unit.motion)
     return f"{said[:1].upper()}{said[1:]}."
 
@@ -261,17 +264,19 @@ class _Reading:
         return relations[0] if relations else resting_in(container)
 
     def _with_tools(self, places: Collection[str]) -> str:
+        """Return the tools in words: " in the oven", " with the knife"; ``places`` are told already, or no tools."""
         if any(node.label == "faucet" for node in self._utensils):
             return " under the faucet" if "faucet" not in places or self._target is None else ""
+        ways: dict[str, list[str]] = {"in": [], "on": [], "with": []}  # an oven, a stove, a knife
+        for label in self._tools(places):
+            ways[hosts_things(label) or "with"].append(label)
+        return "".join(f" {way} {the(labels)}" for way, labels in ways.items() if labels)
+
+    def _tools(self, places: Collection[str]) -> list[str]:
+        """Return the empty utensils that nothing is in, or lies on, and that are no places themselves."""
         taken = {node.container for node in self._inputs if node.container} | set(places)
         free = (node for node in self._utensils if not node.ingredients and node.container not in taken)
-        tools = [node.label for node in free if node.label not in taken]
-        said = ""
-        for how in ("in", "on"):  # an oven, a stove
-            hosts = [label for label in tools if hosts_things(label) == how]
-            tools = [label for label in tools if label not in hosts]
-            said += f" {how} {the(hosts)}" if hosts else ""
-        return said + (f" with {the(tools)}" if tools else "")
+        return [node.label for node in free if node.label not in taken]
 
     @cached_property
     def _gives(self) -> tuple[str, str]:

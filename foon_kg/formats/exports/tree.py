@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Self
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Recipe, Subgraph
-from foon_kg.model.tree import nodes_of
+from foon_kg.model.tree import newly_made, nodes_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 from foon_kg.store.snapshot import sightings_of
@@ -70,7 +70,10 @@ class ExportedTree:
 
 
 def kitchen_of(units: Sequence[FunctionalUnit], kitchen: Kitchen) -> tuple[ObjectNode, ...]:
-    """Return what has to be at hand for ``units``: what they take and none newly makes, and utensils at rest."""
-    made = {node for unit in units for node in unit.output_nodes if node not in unit.input_nodes}
+    """Return what has to be at hand for ``units``: what they take and none newly makes, and utensils at rest.
+
+    ``kitchen`` knows which utensils are at rest.
+    """
+    made = {node for unit in units for node in newly_made(unit)}
     taken = dict.fromkeys(node for unit in units for node in unit.input_nodes)
     return tuple(n for n in taken if n not in made or (not kitchen.is_food(n) and kitchen.has(n)))

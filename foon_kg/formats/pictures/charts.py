@@ -24,7 +24,10 @@ _EXACTLY = 1e-9
 
 
 def curve_chart(curves: Mapping[str, Mapping[int, float]], title: str, across: str, up: str) -> str:
-    """Return a chart of one curve a name: shares (0 to 1) by threshold (per cent)."""
+    """Return a chart called ``title`` with a curve for each name: shares (0 to 1) by threshold (per cent).
+
+    ``across`` and ``up`` are the words at its axes.
+    """
     root = _picture(_WIDTH, _HEIGHT + 22, title)
     _axes(root, across, up)
     for place, (name, curve) in enumerate(curves.items()):
@@ -41,7 +44,10 @@ def curve_chart(curves: Mapping[str, Mapping[int, float]], title: str, across: s
 
 
 def histogram_chart(counts: Sequence[int], title: str, across: str) -> str:
-    """Return a chart of ``counts`` in bins of equal width from 0 to 1, the number of each above its bar."""
+    """Return a chart called ``title`` of ``counts`` in bins of equal width from 0 to 1, each number above its bar.
+
+    ``across`` are the words below it.
+    """
     root = _picture(_WIDTH, _HEIGHT, title)
     most, width = max([*counts, 1]), (_WIDTH - _LEFT - _RIGHT) / len(counts)
     for place, count in enumerate(counts):
@@ -57,7 +63,7 @@ def histogram_chart(counts: Sequence[int], title: str, across: str) -> str:
 
 
 def interval_chart(rows: Sequence[tuple[str, Interval]], title: str) -> str:
-    """Return a chart of means with their intervals, one row a name.
+    """Return a chart called ``title`` of means with their intervals, one row a name.
 
     It begins at 0, or where all of them are in its upper half just below the least.
     """

@@ -42,7 +42,10 @@ _TICKS = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 
 
 
 def schedule_svg(tree: ShownTree, plan: Schedule, width: float = WIDTH) -> str:
-    """Return the text of an SVG file with the schedule as a Gantt chart; bars of untimed steps are hollow."""
+    """Return the schedule ``plan`` of a ``tree`` as a Gantt chart: an SVG file that is ``width`` pixels wide.
+
+    Bars of untimed steps are hollow.
+    """
     sheet = _Sheet(tree, plan, width)
     head = [*_told(tree.title, width, "name", 18), *_told(summary(plan), width, "aside", 12)]
     axis = 34 + height_of(head) + 48

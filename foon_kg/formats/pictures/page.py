@@ -71,7 +71,7 @@ def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
 
 
 def steps_list(tree: ShownTree) -> str:
-    """Return the steps as an HTML list, each with a link to the second of a video where it was seen."""
+    """Return the steps of ``tree`` as an HTML list, each with a link to the second of a video where it was seen."""
     return _list((_step(unit, tree) for unit in tree.units), ordered=True)
 
 

@@ -26,7 +26,7 @@ _MOST_CHANGES = 10
 
 
 def page(title: str, parts: Iterable[str]) -> str:
-    """Return the text of an HTML file."""
+    """Return the text of an HTML file called ``title``, with its ``parts`` one below the other."""
     style = resources.files("foon_kg.formats.pictures").joinpath("report.css").read_text(encoding="utf-8")
     return (
         f'<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -48,7 +48,7 @@ def paragraph(text: str) -> str:
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]], kind: str = "") -> str:
-    """Return a table of cells that are HTML already; ``kind`` is ``words`` where they are no figures."""
+    """Return a table with a ``head`` and ``rows`` of cells that are HTML already; ``kind`` is ``words`` or figures."""
     top = "".join(f'<th scope="col">{words(name)}</th>' for name in head)
     body = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>\n" for row in rows)
     marked = f' class="{kind}"' if kind else ""
@@ -74,7 +74,7 @@ def tree_picture(tree: ShownTree, kitchen: Kitchen, name: str) -> str:
 
 
 def comparison_section(comparison: Comparison) -> str:
-    """Return what changed since another evaluation, and whether that is more than chance."""
+    """Return a ``comparison`` in HTML: what changed since another evaluation, and whether by more than chance."""
     difference = comparison.difference
     told = (
         f"{comparison.verdict}: {100 * difference.mean:+.1f} points [{100 * difference.low:+.1f}, "
@@ -89,7 +89,7 @@ def comparison_section(comparison: Comparison) -> str:
 
 
 def agreement_section(agreement: Agreement) -> str:
-    """Return how far people and the rule agree."""
+    """Return the ``agreement`` of people and the rule in HTML."""
     kappa = "not defined" if agreement.kappa is None else f"{agreement.kappa:.2f}"
     told = (
         f"Linearly weighted Cohen's kappa {kappa}; the same score for {per_cent(agreement.same)} of "

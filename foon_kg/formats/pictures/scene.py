@@ -79,7 +79,10 @@ def phases_of(scene: Scene) -> tuple[int, ...]:
 
 
 def foods_of(scene: Scene, kitchen: Kitchen) -> tuple[frozenset[str], ...]:
-    """Return for each box the foods that it shows: itself, what it is mixed of, what is in a vessel."""
+    """Return for each box of ``scene`` the foods that it shows: itself, what it is mixed of, what is in a vessel.
+
+    ``kitchen`` tells foods from utensils.
+    """
 
     def foods(node: ObjectNode) -> frozenset[str]:
         own = (node.label,) if kitchen.is_food(node) else ()

@@ -29,7 +29,10 @@ _DASHED = "5 3"
 
 
 def step_changes_svg(tree: ShownTree, changes: Sequence[StepChange]) -> str:
-    """Return the text of an SVG file with the steps of both trees in two columns, joined where they are the same."""
+    """Return the text of an SVG file with the steps of both trees in two columns, joined by ``changes``.
+
+    ``changes`` joins those that are the same.
+    """
     heights = [_ROW + (_NOTE if names(one) else 0) + 6 for one in changes]
     width = 2 * _EDGE + 2 * _COLUMN + _GAP
     root = picture(width, _HEAD + sum(heights) + _EDGE, f"Reference and final tree: {tree.title}")

@@ -72,7 +72,7 @@ def text_width(text: str, size: float = 12.0) -> float:
 
 
 def picture(width: float, height: float, title: str) -> ET.Element:
-    """Return an empty picture with its paper, its name and its colours in the dark."""
+    """Return an empty picture of ``width`` by ``height`` pixels: its paper, its ``title``, its colours in the dark."""
     box = f"0 0 {number(width)} {number(height)}"
     root = ET.Element("svg", xmlns=_NAMESPACE, viewBox=box, width=number(width), height=number(height), role="img")
     root.set("font-family", FONT)
@@ -90,7 +90,7 @@ def dark_colours() -> str:
 
 
 def element(parent: ET.Element, name: str, attributes: Mapping[str, object], *kinds: str) -> ET.Element:
-    """Add an element with the colours of its ``kinds``."""
+    """Return an element called ``name``, added to ``parent`` with ``attributes`` and the colours of its ``kinds``."""
     written = {key: number(value) if isinstance(value, float) else str(value) for key, value in attributes.items()}
     for kind in kinds:
         if kind in _FILL:
@@ -104,7 +104,10 @@ def element(parent: ET.Element, name: str, attributes: Mapping[str, object], *ki
 
 
 def write_line(parent: ET.Element, line: Line, x: float, y: float, *, anchor: str = "middle") -> None:
-    """Write ``line`` with its foot at ``y``."""
+    """Write ``line`` into ``parent`` with its foot at ``y`` and its ``anchor`` at ``x``, both in pixels.
+
+    ``anchor`` is start, middle or end.
+    """
     attributes: dict[str, object] = {"x": x, "y": y, "font-size": line.size, "text-anchor": anchor}
     if line.bold:
         attributes["font-weight"] = "bold"
@@ -112,7 +115,10 @@ def write_line(parent: ET.Element, line: Line, x: float, y: float, *, anchor: st
 
 
 def wrapped(text: str, width: float, size: float, most: int = 3) -> list[str]:
-    """Break ``text`` at spaces into at most ``most`` lines of about ``width`` pixels; what is left out shows as …."""
+    """Return ``text``, broken at spaces into at most ``most`` lines of about ``width`` pixels in letters of ``size``.
+
+    What is left out shows as ….
+    """
     lines = [""]
     for word in text.split():
         longer = f"{lines[-1]} {word}".strip()
@@ -131,7 +137,7 @@ def height_of(lines: Sequence[Line]) -> float:
 
 
 def number(value: float) -> str:
-    """Return a number as SVG has it, to a tenth of a pixel."""
+    """Return ``value`` as SVG has it, to a tenth of a pixel."""
     return f"{value:.1f}".removesuffix(".0")
 
 
@@ -141,5 +147,5 @@ def writable(text: str) -> str:
 
 
 def as_text(root: ET.Element) -> str:
-    """Return the picture as the text of an SVG file."""
+    """Return the picture whose element is ``root`` as the text of an SVG file."""
     return ET.tostring(root, encoding="unicode") + "\n"

@@ -33,7 +33,7 @@ def draft_view(draft: DraftFile, missing: Sequence[Missing], *, worst_first: boo
 
 
 def draft_json(draft: DraftFile, missing: Sequence[Missing]) -> dict[str, object]:
-    """Return the same as one object of JSON."""
+    """Return a ``draft``, with the inputs that are ``missing``, as one object of JSON."""
     return {
         "file": draft.path,
         "rows": [

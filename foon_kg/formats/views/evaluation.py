@@ -86,7 +86,7 @@ def left_out_view(left_out: Sequence[LeftOut]) -> list[RenderableType]:
 
 
 def comparison_view(comparison: Comparison) -> RenderableType:
-    """Return what got better or worse since another evaluation."""
+    """Return the ``comparison`` with another evaluation: what got better or worse."""
     both, difference = len(comparison.changes), comparison.difference
     head = Text.assemble(
         (comparison.verdict, "bold"),
@@ -103,7 +103,7 @@ def comparison_view(comparison: Comparison) -> RenderableType:
 
 
 def agreement_view(agreement: Agreement, left_open: int) -> RenderableType:
-    """Return how far people and the rule agree."""
+    """Return the ``agreement`` of people and the rule, and how many lines were ``left_open``."""
     kappa = "not defined: both gave one score throughout" if agreement.kappa is None else f"{agreement.kappa:.2f}"
     rows = [
         ("linearly weighted Cohen's kappa", kappa),
@@ -139,7 +139,7 @@ def grid(rows: Sequence[tuple[str, ...]]) -> Table:
 
 
 def per_cent(share: float) -> str:
-    """Return a share in per cent, as the paper gives it."""
+    """Return a ``share`` (0 to 1) in per cent, as the paper gives it."""
     return f"{100 * share:.1f} %"
 
 

@@ -13,7 +13,7 @@ from foon_kg.planning.explanation import Explanation, Joining, PassedOver
 
 
 def explanation_view(explanations: Sequence[Explanation]) -> RenderableType:
-    """Return for every required food where it comes from, where it joins the others, and what was passed over."""
+    """Return for each of the ``explanations`` where a food comes from, where it joins, and what was passed over."""
     parts: list[RenderableType] = [Text(), Text("Why each ingredient is made so", "bold")]
     for one in explanations:
         name = Text.assemble(one.want.object, " (", (one.want.state, STATE), ")")

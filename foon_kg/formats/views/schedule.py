@@ -20,7 +20,7 @@ HANDS = ("cyan", "yellow", "magenta", "blue")
 
 
 def schedule_view(tree: ShownTree, plan: Schedule) -> RenderableType:
-    """Return a table of the steps by their start: when, whose hands, what, and how sure the time is."""
+    """Return a table of the steps of ``tree`` by their start in ``plan``: when, whose hands, what, how sure."""
     table = Table(box=None, padding=(0, 1), header_style=ASIDE, collapse_padding=True, pad_edge=False)
     timed = plan.known_until > 0
     for title, justify in (("from", "right"), ("to", "right")) if timed else ():
@@ -39,7 +39,10 @@ UNKNOWN = "unknown"
 
 
 def summary(plan: Schedule) -> str:
-    """Return in a sentence how long the schedule is, and how good; where steps were never timed, that nobody knows."""
+    """Return in a sentence how long the schedule ``plan`` is, and how good.
+
+    Where steps were never timed, nobody knows.
+    """
     if plan.untimed:
         return _untimed(plan)
     pairs = "one pair of hands" if plan.hands == 1 else f"{plan.hands} pairs of hands"
@@ -63,7 +66,7 @@ def _when(plan: Schedule, seconds: float) -> str:
 
 
 def shopping_view(foods: Sequence[ObjectNode], unseen: Sequence[str] = ()) -> RenderableType:
-    """Return what to buy, one food a line."""
+    """Return the ``foods`` to buy, one a line; those in ``unseen`` are marked as ones that FOON has not seen so."""
     return Group(*(node_words(food, unseen) for food in foods))
 
 

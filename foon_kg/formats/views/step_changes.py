@@ -19,7 +19,7 @@ _MOST_NAMES = 5
 
 
 def step_changes_view(tree: ShownTree, changes: Sequence[StepChange]) -> RenderableType:
-    """Return the steps of both trees side by side, and what is in the one but not in the other."""
+    """Return the steps of ``tree`` and of its reference side by side by ``changes``, and what only one of them has."""
     table = Table(box=None, padding=(0, 1), header_style=ASIDE, pad_edge=False, collapse_padding=True)
     for title in ("", "reference", "this tree", ""):
         table.add_column(title)
@@ -36,7 +36,7 @@ def totals(changes: Sequence[StepChange]) -> str:
 
 
 def names(one: StepChange) -> str:
-    """Return what a changed step lost and won, as in ``- lettuce  + endive``."""
+    """Return what ``one`` changed step lost and won, as in ``- lettuce  + endive``."""
     signs = ((sign, some) for sign, some in (("-", one.gone), ("+", one.come)) if some)
     return "  ".join(
         f"{sign} {', '.join(some[:_MOST_NAMES])}{' …' * (len(some) > _MOST_NAMES)}" for sign, some in signs

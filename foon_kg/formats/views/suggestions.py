@@ -13,7 +13,7 @@ from foon_kg.planning.suggestion import Suggestion, Suggestions, Taken
 
 
 def suggestions_view(suggestions: Suggestions) -> RenderableType:
-    """Return each dish with what of one's own it takes, what is missing and what is left over."""
+    """Return each dish of ``suggestions`` with what of one's own it takes, what is missing and what is left over."""
     dishes = [_dish(number, one) for number, one in enumerate(suggestions.found, 1)]
     proven = f"{suggestions.considered} dishes were compared by name, and of {suggestions.proven} the trees."
     return Group(*dishes, Text(proven, ASIDE))

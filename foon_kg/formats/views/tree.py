@@ -42,7 +42,10 @@ WIDE = 140
 
 
 def plan_view(result: PlanResult) -> RenderableType:
-    """Return the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
+    """Return the whole plan of ``result``.
+
+    That is what it makes, the steps, the kitchen, what was substituted or assumed, and the progress lines.
+    """
     return tree_view(ShownTree.of_result(result))
 
 
@@ -75,7 +78,7 @@ def _at_hand(kitchen: Sequence[ObjectNode]) -> Iterator[ObjectNode]:
 
 
 def progress_view(tree: ShownTree) -> RenderableType:
-    """Return the progress line of every ingredient."""
+    """Return the progress line of every ingredient of ``tree``."""
     return _progress(tree.lines, frozenset(tree.unseen))
 
 

@@ -23,7 +23,10 @@ EMPTY = "empty"
 
 
 def node_words(node: ObjectNode, unseen: Collection[str] = (), *, contents: bool = True) -> Text:
-    """Return ``onion (chopped, on cutting board)``; a food of ``unseen`` is marked as one that FOON has not seen so."""
+    """Return ``node`` as ``onion (chopped, on cutting board)``, with its ``contents`` if they are asked.
+
+    A food of ``unseen`` is marked as one that FOON has not seen so.
+    """
     words = [Text(state, STATE) for state in node.states]
     words += _contents(node, unseen) if contents else []
     words += _place(node.relation, node.container)
@@ -32,12 +35,15 @@ def node_words(node: ObjectNode, unseen: Collection[str] = (), *, contents: bool
 
 
 def food_words(label: str, unseen: Collection[str] = ()) -> Text:
-    """Return the name of a food or utensil."""
+    """Return the name of a food or utensil by its ``label``, marked where it is in ``unseen``."""
     return Text(UNSEEN_SIGN + label, UNSEEN) if label in unseen else Text(label)
 
 
 def stage_words(states: Sequence[str], relation: str | None, container: str | None) -> Text:
-    """Return ``chopped, on cutting board``: how and where something is."""
+    """Return how and where something is, by its ``states`` and place: ``chopped, on cutting board``.
+
+    The place is a ``relation`` and a ``container``.
+    """
     return in_a_row([Text(state, STATE) for state in states] + _place(relation, container), ", ")
 
 
@@ -52,12 +58,12 @@ def in_a_row(words: Iterable[Text], between: str) -> Text:
 
 
 def shown_inputs(nodes: Sequence[ObjectNode]) -> list[ObjectNode]:
-    """Leave out the vessels whose foods all stand beside them and say where they are."""
+    """Return ``nodes`` without the vessels whose foods all stand beside them and say where they are."""
     return [node for node in nodes if not _told_by_others(node, nodes)]
 
 
 def shown_outputs(nodes: Sequence[ObjectNode]) -> list[ObjectNode]:
-    """Leave out the same vessels, and what is only empty now, where anything else comes out."""
+    """Return ``nodes`` without the same vessels, and without what is only empty now where anything else comes out."""
     shown = shown_inputs(nodes)
     return [node for node in shown if node.states != (EMPTY,) or node.ingredients] or shown
 

@@ -25,7 +25,10 @@ class Bringing:
     def units(
         self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: Evidence
     ) -> list[DraftUnit]:
-        """Return a unit that brings one food; none where nobody knows where to."""
+        """Return the unit that brings one food (``mention``) by ``motion``; none where nobody knows where to.
+
+        ``like`` is what the FOON knows of such actions, ``evidence`` weighs what is guessed.
+        """
         nodes, scene = self.maker.nodes, self.maker.scene
         told = nodes.utensil_place(action)
         before = nodes.there(mention, like, evidence, away_from=told, brought=True)

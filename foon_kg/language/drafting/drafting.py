@@ -44,9 +44,10 @@ _RELATIONS = re.compile(r"\b(?:attached to|covered with|covered|below|under|over
 
 
 def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | None = None) -> Draft:
-    """Return the draft of ``narration`` (its ``actions``); ``dish_type`` marks the last thing made as the goal.
+    """Return the draft of ``narration`` (its ``actions``) by the ``precedents`` of a FOON.
 
-    Every action gives units, or is left out and told why. The same narration and FOON give the same draft.
+    Every action gives units, or is left out and told why; ``dish_type`` marks the last thing made as the goal. The same
+    narration and FOON give the same draft.
     """
     drafter = _Drafter(precedents, narration)
     drafter.look_ahead(narration.actions)

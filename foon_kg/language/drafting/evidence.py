@@ -28,12 +28,15 @@ class Evidence:
     states: float = 1.0
 
     def weigh_states(self, share: float, doubt: str = "") -> None:
-        """Weigh what is guessed of the states of a food: it is as unsure in every later unit."""
+        """Weigh a ``share`` (0 to 1) of what is guessed of the states of a food, and add ``doubt`` to the doubts.
+
+        It is as unsure in every later unit.
+        """
         self.states *= share
         self.weigh(share, doubt)
 
     def weigh(self, share: float, doubt: str = "") -> None:
-        """Weigh a share, and doubt it in words where it is small."""
+        """Weigh a ``share`` (0 to 1), and add ``doubt`` to the doubts where it is small."""
         self.shares.append(share)
         if doubt and share < SOMETHING:
             self.doubts.append(doubt)

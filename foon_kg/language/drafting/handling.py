@@ -25,7 +25,10 @@ class Handling:
     maker: Maker
 
     def unit(self, action: NarratedAction, motion: str, evidence: Evidence) -> DraftUnit:
-        """Return the unit of ``action``, whose first object is a utensil."""
+        """Return the unit of ``action``, whose first object is a utensil, by ``motion``.
+
+        ``evidence`` weighs what is guessed.
+        """
         name = action.objects[0].name
         motion = _switching(motion, name)
         nodes = self.maker.nodes

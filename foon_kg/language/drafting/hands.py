@@ -18,7 +18,10 @@ def takes(verb: str) -> bool:
 
 
 def brings_back(verb: str, said: str) -> bool:
-    """Whether an action brings a thing to where it was before: "put milk back", "put away bowl"."""
+    """Return whether an action brings a thing to where it was before: "put milk back", "put away bowl".
+
+    ``verb`` is that of the action, ``said`` its words.
+    """
     words = set(said.lower().split())
     return _spoken(verb) in _BACK or any(set(phrase.split()) <= words for phrase in _BACK)
 
@@ -37,7 +40,7 @@ class Hands:
     opened: str | None = None
 
     def take(self, name: str, origin: str | None) -> None:
-        """Hold a thing; ``origin`` is the place as it was told."""
+        """Hold the thing called ``name``; ``origin`` is the place as it was told."""
         known = canonical(name)
         (self.guessed.discard if origin is not None else self.guessed.add)(known)
         self.held.pop(known, None)  # what was taken last stands last
@@ -46,7 +49,7 @@ class Hands:
             self.home[known] = place
 
     def place_of(self, name: str) -> str | None:
-        """Return where a thing is put that is put back or away: where it was, else into what is open."""
+        """Return where a thing called ``name`` is put that is put back: where it was, else into what is open."""
         return self.home.get(canonical(name)) or self.opened
 
     def latest(self) -> str | None:
@@ -54,12 +57,15 @@ class Hands:
         return next(reversed(self.held), None)
 
     def put(self, name: str) -> tuple[str | None, bool]:
-        """Return where a thing was taken from that is put now, and whether that is only a guess."""
+        """Return where the thing called ``name`` was taken from that is put now, and whether that is only a guess."""
         known = canonical(name)
         return self.held.pop(known, None), known in self.guessed
 
     def see(self, name: str, *, opened: bool) -> None:
-        """Remember a fixture that is opened or closed; things that open and keep nothing do not count."""
+        """Remember a fixture by its ``name`` that is ``opened`` or closed.
+
+        What opens and keeps nothing does not count.
+        """
         row = tables().utensil(name)
         if row is not None and (row.role == "place" or row.source == "cold") and "hold" in row.can:
             self.opened = name if opened else None

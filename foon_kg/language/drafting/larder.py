@@ -18,7 +18,7 @@ class Larder:
 
     @classmethod
     def of(cls, ingredients: Iterable[Mention]) -> Larder:
-        """Return the larder of a recipe; what it lists twice is there once."""
+        """Return the larder of a recipe by its ``ingredients``; what it lists twice is there once."""
         found: dict[str, Mention] = {}
         for one in ingredients:
             found.setdefault(canonical(one.name), one)

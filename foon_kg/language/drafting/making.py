@@ -24,8 +24,8 @@ TURN_ON, TURN_OFF = "turn on", "turn off"
 
 
 @dataclass(frozen=True)
-class Maker:
-    """Makes units of ``nodes``, and changes their scene as these units do."""
+class OfNodes:
+    """What drafts with ``nodes``, and reaches through them what the FOON knows and how everything is."""
 
     nodes: NodeDrafter
 
@@ -38,6 +38,11 @@ class Maker:
     def scene(self) -> Scene:
         """Where and how everything is by now."""
         return self.nodes.scene
+
+
+@dataclass(frozen=True)
+class Maker(OfNodes):
+    """Makes units of ``nodes``, and changes their scene as these units do."""
 
     def unit(
         self,
@@ -58,7 +63,7 @@ class Maker:
         return DraftUnit(Annotation(unit, action.timing), evidence.product(), doubts, action.said)
 
     def moved(self, foods: Sequence[str], at: str, action: NarratedAction) -> list[DraftUnit]:
-        """Return the unit that nobody told: foods that are elsewhere must have come to where they are changed."""
+        """Return the units that nobody told, by which ``foods`` come to ``at``, where ``action`` changes them."""
         known = [self.scene.foods[food] for food in foods if food in self.scene.foods]
         known = [node for node in known if at not in {node.container, node.label}]
         if not known:
@@ -78,7 +83,10 @@ class Maker:
         return [self.unit(quiet, motion, [into, *left, *known], [held, *after, *gone], evidence)]
 
     def source_of(self, action: NarratedAction, motion: str) -> str | None:
-        """Return the appliance that gives a motion its heat or cold: as told, one that is on, else the usual one."""
+        """Return the appliance that gives the ``motion`` of ``action`` its heat or cold; ``None`` where it needs none.
+
+        It is the one that is told, else one that is on, else the usual one.
+        """
         known = tables().motion(motion)
         if known.source not in {"heat", "cold"} or not known.does - {"switch on"} or known.does <= {"warm"} == _COOKS:
             return None
@@ -102,7 +110,7 @@ class Maker:
         return [self.unit(quiet, TURN_ON, [node], [after], Evidence([IMPLIED], [doubt]))]
 
     def cooks_in(self, at: str | None, source: str, motion: str) -> bool:
-        """Whether food can be heated where it is: in an oven, on a stove, in a microwave."""
+        """Return whether food can be heated by ``motion`` in the vessel ``at``, by the appliance ``source``."""
         row, heater = tables().utensil(at or ""), tables().utensil(source)
         if at is None or row is None:
             return False

@@ -37,14 +37,17 @@ class Mixing:
         return None
 
     def members(self, action: NarratedAction, vessel: str | None) -> tuple[str, ...]:
-        """Return all that is mixed: the objects, what they go into, and what is in the vessel."""
+        """Return all that ``action`` mixes: the objects, what they go into, and what is in the ``vessel``."""
         scene = self.maker.scene
         foods = [place.name for place in action.places if place.name in scene.foods]
         held = [food for food in scene.held(vessel or "") if food in scene.foods]
         return tuple(dict.fromkeys((*(one.name for one in action.objects), *foods, *held)))
 
     def unit(self, action: NarratedAction, motion: str, evidence: Evidence) -> tuple[DraftUnit, ...]:
-        """Return the unit that makes one mixture of foods, and of what is in their vessel already."""
+        """Return the unit by which ``action`` makes one mixture of foods, and of what is in their vessel already.
+
+        ``motion`` is what is done; ``evidence`` weighs what is guessed.
+        """
         nodes, scene, precedents = self.maker.nodes, self.maker.scene, self.maker.precedents
         at = self.vessel(action)
         names = self.members(action, at)

@@ -24,7 +24,7 @@ def renamed(rows: Sequence[Row], label: str, name: str) -> list[Row]:
 
 
 def rename(scene: Scene, label: str, name: str) -> None:
-    """Let the things of ``scene`` be called so, too."""
+    """Let what is called ``label`` in ``scene`` be called ``name``, too."""
     for things in (scene.foods, scene.utensils):
         nodes = [_node(node, label, name) for node in things.values()]
         things.clear()

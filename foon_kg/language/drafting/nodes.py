@@ -34,7 +34,10 @@ class NodeDrafter:
     scene: Scene
 
     def like(self, motion: str, mention: Mention, evidence: Evidence) -> Precedents:
-        """Return what the FOON knows of ``motion`` done to an object, and weigh how well it is known."""
+        """Return what the FOON knows of ``motion`` done to an object (``mention``).
+
+        ``evidence`` weighs how well it knows.
+        """
         like = self.precedents.of(motion, mention.name)
         evidence.shares.append(like.likeness)
         evidence.doubts += [like.doubt] if like.doubt else []
@@ -50,9 +53,10 @@ class NodeDrafter:
         away_from: str | None = None,
         brought: bool = False,
     ) -> ObjectNode:
-        """Return a food as it is now; one that comes for the first time, as the FOON has it before such an action.
+        """Return a food (``mention``) as it is now; one that comes for the first time, as the FOON has it (``like``).
 
-        What is ``brought`` leaves the hand, and comes from where it was taken.
+        It is in ``at`` where that is given, and never in ``away_from``. What is ``brought`` leaves the hand, and comes
+        from where it was taken. ``evidence`` weighs what is guessed.
         """
         origin = self.origin(mention.name, evidence) if brought else None
         known = self.scene.foods.get(mention.name)
@@ -122,7 +126,12 @@ class NodeDrafter:
         return self.precedents.start(near.name)
 
     def origin(self, name: str, evidence: Evidence) -> str | None:
-        """Return where a thing that is put was taken from; ``None`` where nobody said so, and where it is known."""
+        """Return where the thing called ``name`` that is put was taken from.
+
+        ``None`` where nobody said so, or it is known.
+
+        ``evidence`` weighs a guess.
+        """
         origin, guessed = self.scene.hands.put(name)
         if origin is not None and guessed:
             evidence.weigh(IMPLIED, f"nobody says from where the {name} is taken: from the {origin}, which was open")
@@ -141,7 +150,10 @@ class NodeDrafter:
     def become(
         self, before: ObjectNode, like: Precedents, action: NarratedAction, evidence: Evidence
     ) -> tuple[str, ...]:
-        """Return the states of a food after an action: those that the narration tells instead of those of the FOON."""
+        """Return the states of a food after ``action``: those that are told, else those of the FOON (``like``).
+
+        ``before`` is the food before it; ``evidence`` weighs what is guessed.
+        """
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
         if not set(action.results) <= set(before.states):
             return (*action.results, *(state for state in states if state in before.states))
@@ -155,14 +167,14 @@ class NodeDrafter:
         return states
 
     def vessel(self, name: str) -> ObjectNode:
-        """Return a utensil as it is now."""
+        """Return the utensil called ``name`` as it is now."""
         known = self.scene.utensils.get(name)
         if known is None:  # nobody said of it before that it is one
             known = self.scene.utensils[name] = ObjectNode(name, self.precedents.empty(name))
         return known
 
     def tools(self, action: NarratedAction, like: Precedents, besides: Iterable[str]) -> list[ObjectNode]:
-        """Return the instruments that are told, else those of the FOON; none of ``besides``."""
+        """Return the instruments that ``action`` tells, else those of the FOON (``like``); none of ``besides``."""
         names = action.instruments or tuple(name for name in like.tools() if not _runs_water(name))
         seen = set(besides)
         return [self.vessel(name) for name in dict.fromkeys(names) if name not in seen]
@@ -179,7 +191,10 @@ class NodeDrafter:
     def target(
         self, action: NarratedAction, mention: Mention, like: Precedents, before: ObjectNode, evidence: Evidence
     ) -> str | None:
-        """Return where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
+        """Return where ``action`` brings a food (``mention``): as told, else to the vessel at hand, else by ``like``.
+
+        ``before`` is the food before it, ``like`` what the FOON knows; ``evidence`` weighs what is guessed.
+        """
         for place in action.places:
             label = self._place_called(place.name)
             if label != mention.name:
@@ -206,7 +221,7 @@ class NodeDrafter:
         return label
 
     def utensil_place(self, action: NarratedAction) -> str | None:
-        """Return the first place that is told and that is a utensil."""
+        """Return the first place that ``action`` tells and that is a utensil."""
         for place in action.places:
             label = self._place_called(place.name)
             if self.precedents.kitchen.is_utensil(label):
@@ -220,7 +235,10 @@ class NodeDrafter:
         return self.precedents.labels.get(known, known)
 
     def common_vessel(self, action: NarratedAction) -> str | None:
-        """Return the utensil that holds one of the objects; none where they all come for the first time."""
+        """Return the utensil that holds one of the objects of ``action``.
+
+        None where they all come for the first time.
+        """
         held = (self.scene.foods[one.name].container for one in action.objects if one.name in self.scene.foods)
         return next((at for at in held if at is not None and at in self.scene.utensils), None)
 

@@ -151,23 +151,29 @@ class FoonPrecedents:
             return Precedents(own)
         food = not self.kitchen.is_utensil(label)
         rows = tuple(row for row in self._by_motion.get(motion, ()) if row.food == food)
-        labels = sorted({row.label for row in rows})
-        if food and labels:
-            alike = [one for one in food_similarity().nearest(label, labels, limit=_FEW) if one.confidence >= _ALIKE]
-            if alike:
-                names = ", ".join(f"{one.name} {one.confidence:.2f}" for one in alike)
-                doubt = f"no unit of the FOON {_third(motion)} {label}; taken from {names}"
-                likeness = {canonical(one.name): one.confidence for one in alike}
-                near = (row for row in rows if canonical(row.label) in likeness)
-                weighed = tuple(replace(row, weight=row.weight * likeness[canonical(row.label)]) for row in near)
-                return Precedents(weighed, alike[0].confidence, doubt)
+        if not rows:
+            return Precedents((), _ANY * _ANY, f"“{motion}” gives nothing to {label}")
+        if food and (near := self._alike(motion, label, rows)) is not None:
+            return near
         what = "any food" if food else "any utensil"
-        doubt = (
-            f"no unit of the FOON {_third(motion)} {label}; taken from {what}"
-            if rows
-            else f"“{motion}” gives nothing to {label}"
+        return Precedents(rows, _ANY, f"no unit of the FOON {_third(motion)} {label}; taken from {what}")
+
+    @staticmethod
+    def _alike(motion: str, label: str, rows: Sequence[Seen]) -> Precedents | None:
+        """Return those of ``rows`` that are of foods like ``label``, each with the weight of its likeness."""
+        near = food_similarity().nearest(label, sorted({row.label for row in rows}), limit=_FEW)
+        alike = [one for one in near if one.confidence >= _ALIKE]
+        if not alike:
+            return None
+        likeness = {canonical(one.name): one.confidence for one in alike}
+        weighed = tuple(
+            replace(row, weight=row.weight * likeness[name])
+            for row in rows
+            if (name := canonical(row.label)) in likeness
         )
-        return Precedents(rows, _ANY if rows else _ANY * _ANY, doubt)
+        names = ", ".join(f"{one.name} {one.confidence:.2f}" for one in alike)
+        doubt = f"no unit of the FOON {_third(motion)} {label}; taken from {names}"
+        return Precedents(weighed, alike[0].confidence, doubt)
 
     def merges(self, motion: str) -> bool:
         """Whether most units in which ``motion`` is done to several foods make one thing of them."""
@@ -181,7 +187,10 @@ class FoonPrecedents:
         return found[0] if found and found[0].confidence >= _ALIKE else None
 
     def start(self, label: str) -> tuple[States, Place] | None:
-        """Return the commonest start of a food (as the shop sells it), ``None`` where the FOON does not have it."""
+        """Return the commonest start of the food ``label`` (as the shop sells it).
+
+        ``None`` where the FOON does not have it.
+        """
         nodes = [
             (node, count)
             for node, count in self._nodes.items()

@@ -58,32 +58,37 @@ class Referents:
         """Return what an action is done to, and the doubts about it; nothing where nothing is at hand."""
         merged = not self._adds(action)
         besides = self._things_of(action.places, contents=not merged)
-        named: list[Mention] = []
+        told = [mention for mention in action.objects if not self._is_state(mention.name)]  # serve hot
+        named = [one for mention in told for one in self._meant(mention, action, besides, merged=merged)]
         doubts: list[str] = []
-        for mention in action.objects:
-            if self._is_state(mention.name):
-                continue  # serve hot
-            if (mixed := self._dry_or_wet(mention.name)) is not None:
-                named.append(Mention(mixed))
-                continue
-            if is_everything(mention.name) or is_outside(mention.name):
-                several = mention.name.lower() in _SEVERAL and [*self.scene.foods][-_BOTH:]
-                ingredients = self._ingredients(mention.name, action.said)
-                named += ingredients or map(Mention, several or self._everything(mention.name, besides))
-                continue
-            label = self.thing(mention.name, besides) or (self._merged(mention.name) if merged else None)
-            if label is not None and not (label in self.scene.foods and self._greases(action, mention.name, label)):
-                named.append(Mention(label, mention.states))
-            else:
-                named.append(self._new(mention))
-        if not named and all(self._is_state(one.name) for one in action.objects):
+        if not told:
             named = [Mention(label) for label in self._at_hand(besides)]
             if named:
                 doubts.append(f"nobody says what “{action.verb}” is done to: taken as what is at hand")
         return tuple(dict.fromkeys(named)), tuple(doubts)
 
+    def _meant(
+        self, mention: Mention, action: NarratedAction, besides: frozenset[str], *, merged: bool
+    ) -> Sequence[Mention]:
+        """Return what one object of an action means: things of the scene, else a thing that comes for the first time.
+
+        ``besides`` is what it cannot mean; with ``merged`` it may be in a mixture by now.
+        """
+        name = mention.name
+        if (mixed := self._dry_or_wet(name)) is not None:
+            return [Mention(mixed)]
+        if is_everything(name) or is_outside(name):
+            if ingredients := self._ingredients(name, action.said):
+                return ingredients
+            several = [*self.scene.foods][-_BOTH:] if name.lower() in _SEVERAL else []
+            return [Mention(label) for label in several or self._everything(name, besides)]
+        label = self.thing(name, besides) or (self._merged(name) if merged else None)
+        if label is None or (label in self.scene.foods and self._greases(action, name, label)):
+            return [self._new(mention)]
+        return [Mention(label, mention.states)]
+
     def turned(self, action: NarratedAction) -> NarratedAction:
-        """Return "pour over the cream" as "pour the cream over" where no cream is there that anything comes onto."""
+        """Return the ``action`` "pour over the cream" as "pour the cream over" where no cream is there to pour onto."""
         if action.objects or len(action.places) != 1 or not self._hand():
             return action
         (place,) = action.places
@@ -119,7 +124,10 @@ class Referents:
         return tuple(dict.fromkeys(found))
 
     def thing(self, name: str, besides: frozenset[str] = frozenset()) -> str | None:
-        """Return the thing of the scene that ``name`` speaks of, ``None`` where it is none of them."""
+        """Return the thing of the scene that ``name`` speaks of, none of ``besides``.
+
+        ``None`` where it is none of them.
+        """
         if (known := self.scene.called(name)) is not None:
             return known
         words = canonical(name).split()

@@ -27,12 +27,18 @@ class Missing:
 
 
 def unresolved(draft: DraftFile, sure: float = SURE) -> tuple[DraftRow, ...]:
-    """Return the rows with doubts and less than ``sure`` confidence, units or not, and those that say nothing."""
+    """Return the rows of ``draft`` with doubts and less than ``sure`` confidence (0 to 1), and empty ones.
+
+    Rows that are no units are among them.
+    """
     return tuple(row for row in draft.rows if (row.confidence < sure if row.doubts else row.annotation is None))
 
 
 def missing(draft: DraftFile, kitchen: Kitchen) -> tuple[Missing, ...]:
-    """Return the inputs with which the units cannot be executed in their order (contract, C1 and C6)."""
+    """Return the inputs with which the units of ``draft`` cannot be executed in their order (C1 and C6).
+
+    ``kitchen`` says what may be there from the start.
+    """
     return tuple(_missing(draft, kitchen))
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
+from itertools import chain
 from pathlib import Path
 
 from foon_kg.language.drafting.drafts import Draft, DraftFile, DraftRow, DraftUnit, LeftOut
@@ -110,17 +111,22 @@ def _confidence(path: Path, line: int, text: str) -> float:
 
 
 def _unit_cells(row: DraftUnit) -> tuple[str, ...] | None:
+    """Return the cells of a unit; ``None`` where a table cannot say it, as what it reads again is another one."""
     unit = row.annotation.unit
     sides = [[thing(one) for one in side] for side in (unit.inputs, unit.outputs)]
-    written = [list(map(read_thing, side)) for side in sides]
     plain = [[Participant(one.node, moving=one.moving) for one in side] for side in (unit.inputs, unit.outputs)]
-    if written != plain or any(";" in text and "(" not in text and "{" not in text for side in sides for text in side):
+    if [list(map(read_thing, side)) for side in sides] != plain or any(map(_is_taken_apart, chain(*sides))):
         return None
     dish = next((one.dish_type for one in unit.outputs if one.dish_type), "")
     motion = unit.motion + (" *" if unit.accepts_any else "")
     start, end = _times(row.annotation.timing)
     doubts = BETWEEN_DOUBTS.join(map(_one_line, row.doubts))
     return (start, end, motion, *("; ".join(side) for side in sides), dish, f"{row.confidence:.2f}", doubts)
+
+
+def _is_taken_apart(text: str) -> bool:
+    """Whether a thing would be read as several: a semicolon is between things where it is not in brackets."""
+    return ";" in text and "(" not in text and "{" not in text
 
 
 def _left_out_cells(row: DraftUnit | LeftOut) -> tuple[str, ...]:
@@ -132,7 +138,7 @@ def _left_out_cells(row: DraftUnit | LeftOut) -> tuple[str, ...]:
 
 
 def thing(one: Participant) -> str:
-    """Return how a table writes a participant: ``*onion (chopped; peeled) {salt} on cutting board``."""
+    """Return how a table writes ``one`` participant: ``*onion (chopped; peeled) {salt} on cutting board``."""
     node: ObjectNode = one.node
     text = ("*" if one.moving else "") + node.label
     text += f" ({'; '.join(node.states)})" if node.states else ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -12,11 +12,10 @@ from foon_kg.language.drafting.bringing import Bringing
 from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.language.drafting.evidence import IMPLIED, Evidence, as_one
 from foon_kg.language.drafting.handling import Handling
-from foon_kg.language.drafting.making import Maker
+from foon_kg.language.drafting.making import Maker, OfNodes
 from foon_kg.language.drafting.mixing import Mixing
-from foon_kg.language.drafting.nodes import NodeDrafter
-from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
-from foon_kg.language.drafting.scene import Scene, emptied, filled
+from foon_kg.language.drafting.precedents import Precedents
+from foon_kg.language.drafting.scene import emptied, filled
 from foon_kg.model import Annotation, ObjectNode, Timing
 from foon_kg.model.narration import Mention, NarratedAction, Place
 
@@ -35,24 +34,13 @@ def _covers(action: NarratedAction, motion: str) -> bool:
 
 
 @dataclass(frozen=True)
-class UnitDrafter:
+class UnitDrafter(OfNodes):
     """Drafts units of ``nodes``, and changes their scene as these units do.
 
     ``free``: the actions are read in free text, which leaves out what everybody knows, as that ovens are turned on.
     """
 
-    nodes: NodeDrafter
     free: bool = True
-
-    @property
-    def precedents(self) -> FoonPrecedents:
-        """What the FOON knows of such actions."""
-        return self.nodes.precedents
-
-    @property
-    def scene(self) -> Scene:
-        """Where and how everything is by now."""
-        return self.nodes.scene
 
     @cached_property
     def _maker(self) -> Maker:
@@ -71,7 +59,11 @@ class UnitDrafter:
         return Bringing(self._maker)
 
     def units(self, action: NarratedAction, motion: str, sure: float, doubts: Sequence[str]) -> tuple[DraftUnit, ...]:
-        """Return the units of ``action``, whose objects (at least one) are named as scene or FOON name them."""
+        """Return the units of ``action``, whose objects (at least one) are named as scene or FOON name them.
+
+        ``motion`` is what the FOON calls its verb, ``sure`` (0 to 1) how sure that is, and ``doubts`` those there are
+        before.
+        """
         evidence = Evidence([sure], list(doubts))
         if self.precedents.kitchen.is_utensil(action.objects[0].name):
             return (self._handling.unit(action, motion, evidence),)
@@ -98,10 +90,8 @@ class UnitDrafter:
 
     def _of_foods(self, action: NarratedAction, motion: str, evidence: Evidence) -> tuple[DraftUnit, ...]:
         """Return the units of an action on foods: one of all that are changed together, else those of each."""
-        if motions.mixes(motion) and (at := self._mixing.vessel(action)) is not None:
-            everything = self._mixing.members(action, at)
-            said = {one.name: one for one in action.objects}
-            action = replace(action, objects=tuple(said.get(name, Mention(name)) for name in everything))
+        if motions.mixes(motion):
+            action = self._with_everything(action)
         covered = self._is_covered(action, motion)
         if covered:
             motion = action.verb
@@ -116,10 +106,20 @@ class UnitDrafter:
             brought = brings or _covers(action, motion) or self._brings_as_known(action, motion, like)
             drafted = self._bringing.units if brought else self._changed
             found += drafted(action, mention, motion, like, own)
-        left = tuple(one.name for one in action.objects if one.name in self.scene.foods)
-        onto = tuple(place.name for place in action.places if place.name in self.scene.foods)
-        self.scene.last = left or onto[:1]  # what came onto another food is by itself no more
+        left = self._in_scene(action.objects)
+        self.scene.last = left or self._in_scene(action.places)[:1]  # what came onto another food is by itself no more
         return (as_one(found),) if brings and found else tuple(found)
+
+    def _with_everything(self, action: NarratedAction) -> NarratedAction:
+        """Return an action that mixes with all that is in the vessel among its objects."""
+        if (at := self._mixing.vessel(action)) is None:
+            return action
+        said = {one.name: one for one in action.objects}
+        everything = self._mixing.members(action, at)
+        return replace(action, objects=tuple(said.get(name, Mention(name)) for name in everything))
+
+    def _in_scene(self, named: Iterable[Mention | Place]) -> tuple[str, ...]:
+        return tuple(one.name for one in named if one.name in self.scene.foods)
 
     def _at_once(self, action: NarratedAction, motion: str, *, stays: bool) -> bool:
         """Whether one unit changes all objects: they are mixed, heated, or lie in one vessel and stay there."""
@@ -168,9 +168,7 @@ class UnitDrafter:
         It is brought there before, and away after ("slice it into a bowl"). What it is dipped into or rolled in takes
         part, and is on it then.
         """
-        named = self.nodes.utensil_place(action)
-        goes_away = any(place.relation in _AWAY for place in action.places)
-        at, away = (None, named) if goes_away else (named, None)
+        at, away = self._where_and_whither(action)
         onto = self._brought_onto(action, mention, motion)
         action = replace(action, places=tuple(place for place in action.places if place not in onto))
         moved = self._maker.moved([mention.name], at, action) if at is not None else []
@@ -191,9 +189,15 @@ class UnitDrafter:
             moved = moved or self._maker.moved([after.label], away or "", action)
             return [self._told(one, action, motion, evidence) for one in moved]
         made = self._maker.unit(action, motion, [*vessel, before, *with_, *tools], [*held, after, *with_], evidence)
-        brought = self._brought(onto, after, action) if onto else []
-        taken_away = self._maker.moved([after.label], away, action) if away is not None else []
-        return [*moved, made, *brought, *taken_away]
+        moved_on = self._brought(onto, after, action) if onto else []
+        if away is not None:
+            moved_on += self._maker.moved([after.label], away, action)
+        return [*moved, made, *moved_on]
+
+    def _where_and_whither(self, action: NarratedAction) -> tuple[str | None, str | None]:
+        """Return the utensil in which a food is changed, and the one where it goes then."""
+        named = self.nodes.utensil_place(action)
+        return (None, named) if any(place.relation in _AWAY for place in action.places) else (named, None)
 
     def _vessel_around(self, food: ObjectNode, like: Precedents, *, told: bool) -> list[ObjectNode]:
         """Return the utensil that a food is in, where it was ``told`` or the FOON names it with such actions."""

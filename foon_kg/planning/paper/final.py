@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.model import ObjectNode, RequiredIngredient
@@ -41,8 +41,9 @@ class FinalTree:
 def made_for(want: RequiredIngredient, vocabulary: Vocabulary, similarity: Similarity) -> MadeFood:
     """Return what FOON makes that is nearest to ``want``: the nearest object, then the nearest of its states.
 
-    The paper leaves open whether an object in another state or another object in that state is the nearer one; here
-    the object counts first. A FOON that makes nothing has the required food as the answer.
+    A part of algorithm 4. ``vocabulary`` tells what is made in which states, ``similarity`` how near names are. The
+    paper leaves open whether an object in another state or another object in that state is the nearer one; here the
+    object counts first. A FOON that makes nothing has the required food as the answer.
     """
     made: dict[str, list[str]] = {}
     for row in vocabulary.foods:
@@ -210,6 +211,15 @@ def _is_product(node: ObjectNode, unit: TreeUnit, kitchen: Kitchen) -> bool:
     return kitchen.is_food(node) and node.label not in names
 
 
+def _with_products(required: Collection[str], units: Iterable[TreeUnit], kitchen: Kitchen) -> set[str]:
+    """Return the names of the ``required`` foods and of the products that ``units`` make of them."""
+    kept = set(required)
+    for unit in units:
+        if any(canonical(name) in kept for node in unit.input_nodes for name in (node.label, *node.ingredients)):
+            kept |= {canonical(node.label) for node in unit.output_nodes if _is_product(node, unit, kitchen)}
+    return kept
+
+
 def _without_others(tree: FinalTree, required: Collection[str], kitchen: Kitchen) -> FinalTree:
     """Return ``tree`` without the foods that are not required, and without the units that then serve nothing.
 
@@ -217,10 +227,7 @@ def _without_others(tree: FinalTree, required: Collection[str], kitchen: Kitchen
     its foods stays, empty. A unit that loses a food goes where it changes no other; so does every unit that makes
     nothing which the goal needs.
     """
-    kept = set(required)
-    for unit in tree.units:
-        if any(canonical(name) in kept for node in unit.input_nodes for name in (node.label, *node.ingredients)):
-            kept |= {canonical(node.label) for node in unit.output_nodes if _is_product(node, unit, kitchen)}
+    kept = _with_products(required, tree.units, kitchen)
 
     def stays(name: str) -> bool:
         return canonical(name) in kept or kitchen.is_free(name) or kitchen.is_utensil(name)

@@ -52,14 +52,15 @@ class Knowledge:
 
 
 def compute_similarity(required: Sequence[str], known: Sequence[str], similarity: Similarity) -> int:
-    """Return how many pairs (i, j), i of ``required``, j of ``known``, are more similar than 0.90 (algorithm 2)."""
+    """Return how many pairs (i, j) of ``required`` and ``known`` have a ``similarity`` over 0.90 (algorithm 2)."""
     return count_similar(required, known, similarity, threshold=SIMILAR)
 
 
 def identify_goal_node(goals: Sequence[Goal], required: Sequence[str], similarity: Similarity) -> Goal:
-    """Return the goal whose ingredient list is the most similar to ``required`` (algorithm 1).
+    """Return the one of ``goals`` whose ingredient list is the most similar to ``required`` (algorithm 1).
 
-    The paper leaves ties open: the first of ``goals``, which are sorted by node, is taken. There is at least one.
+    ``similarity`` counts the pairs by algorithm 2. The paper leaves ties open: the first of ``goals``, which are sorted
+    by node, is taken. There is at least one.
     """
     return max(goals, key=lambda goal: compute_similarity(required, goal.ingredients, similarity))
 

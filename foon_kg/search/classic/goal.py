@@ -81,7 +81,7 @@ class GoalSought:
         )
 
     def candidates(self, view: RetrievalView) -> tuple[ObjectNode, ...]:
-        """Return the object nodes of the FOON that fit, sorted; raises NoTreeError where there is none."""
+        """Return the object nodes of the FOON of ``view`` that fit, sorted; raises NoTreeError where there is none."""
         called = view.called([self.label])
         found = tuple(node for node in called if self.fits(node))
         if found:

@@ -57,10 +57,11 @@ class _Efforts:
 
 
 def likeliest_tree(problem: SearchProblem, costs: MotionCosts, deadline: Deadline) -> LikeliestTree | None:
-    """Return the tree of greatest success for one of the targets; ``None`` where nothing makes any.
+    """Return the tree of greatest success for one of the targets of ``problem``; ``None`` where nothing makes any.
 
-    Of equal success rates, exactly, the tree with the fewest units is the best, then that with the lexicographically
-    least sorted keys of its units, then the least target. No unit of the index may have the success rate 0.
+    ``costs`` has the success rate (over 0, to 1) of each unit's motion; the rates of a tree multiply. Of equal rates,
+    exactly, the tree with the fewest units is the best, then that with the lexicographically least sorted keys of its
+    units, then the least target. Past the ``deadline`` it is the best found.
     """
     index = problem.index
     targets = sorted((n for n in set(problem.targets) if n in index.number_of), key=lambda node: node.sort_key)
