@@ -56,7 +56,7 @@ def for_many(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Li
 
 
 def _in_a_jug(stage: Stage) -> Stage:
-    return replace(stage, vessel=min(word_list("holds what many drink"))) if is_served_in(stage.vessel) else stage
+    return replace(stage, vessel=min(word_list("holds what is made for many"))) if is_served_in(stage.vessel) else stage
 
 
 def is_served_in(label: str) -> bool:
