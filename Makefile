@@ -31,12 +31,13 @@ test: $(INSTALLED_FOR_TESTS)  ## every test, against a real Neo4j
 test-quick: $(INSTALLED_FOR_TESTS)  ## most tests in little over a minute: without a Neo4j, a browser or what takes long by itself
 	$(BIN)/python -m pytest -n auto -m $(QUICK)
 
-check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of imports and how many a command makes
+check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of imports, how many a command makes, and that the house gets no worse
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	cd $(TYPED) && $(CURDIR)/$(BIN)/lint-imports --config $(CURDIR)/pyproject.toml
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
 	$(BIN)/python benchmarks/imports.py
+	$(BIN)/python benchmarks/house.py --hold
 
 campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed: a quarter of an hour
 	mkdir -p $(CONSUMERS) && cp tests/campaign/consumers/* $(CONSUMERS)

@@ -13,19 +13,30 @@ _JOINT = ", "
 def asked_state(states: Sequence[str], known: Tables) -> str:
     """Return the state that is asked by all ``states``, told in the order in which they come about; ``""`` of none.
 
-    That is the last that stays (of "melted, cooled" melted). Where heat made it before that, both are asked.
+    That is the last that stays (of "melted, cooled" melted). Where heat made it or a can held it before that, both are
+    asked; so are a cut and the cooking after it.
     """
-    thaws = not word_list("is drained of its own water").isdisjoint(states)
-    passes = word_list("passes") | (word_list("is drained") if thaws else frozenset())
-    staying = [state for state in states if state not in passes] or list(states[-1:])
-    last = staying[-1] if staying else ""
-    heated = next((state for state in reversed(staying[:-1]) if _is_of_heat(state, known)), None)
-    return _JOINT.join(filter(None, (heated, last))) if not _is_of_heat(last, known) else last
+    staying = [state for state in states if state not in word_list("passes")] or list(states[-1:])
+    if not staying:
+        return ""
+    last = staying[-1]
+    if last in word_list("is in a can") and states[-1] in word_list("is poured off"):
+        return states[-1]
+    *_, before = "", *(state for state in staying[:-1] if _matters_for(last, state, known))
+    return _JOINT.join(filter(None, (before, last)))
 
 
 def in_turn(state: str) -> tuple[str, ...]:
     """Return the states that an asked state names, in the order in which they come about."""
     return tuple(part for part in (part.strip() for part in state.split(_JOINT.strip())) if part)
+
+
+def _matters_for(last: str, state: str, known: Tables) -> bool:
+    """Whether what was done before is asked beside the last state, which says nothing of it."""
+    if _is_of_heat(last, known):
+        wet = not word_list("is so by boiling").isdisjoint({last}) or last in word_list("begins cooked")
+        return wet and bool(known.state(state).fine)
+    return _is_of_heat(state, known) or state in word_list("is in a can")
 
 
 def _is_of_heat(state: str, known: Tables) -> bool:

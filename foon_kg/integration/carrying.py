@@ -267,7 +267,7 @@ class Carrier:
         foods = [self.known.foods.food(food) for food in stuff.foods]
         thin = any(food.is_of(*word_list("is a bath")) for food in foods)
         other = any(food.is_a("leaven", *word_list("makes no sauce of flour")) for food in foods)
-        return (thin and not other) or any(f"kind:{food.kind}" in word_list("makes a sauce of flour") for food in foods)
+        return not other and (thin or any(f"kind:{food.kind}" in word_list("makes a sauce of flour") for food in foods))
 
     def deep_for(self, label: str, wants: Sequence[Want]) -> str:
         """Return in what foods are baked that come into it one by one: nothing that runs on a tray."""

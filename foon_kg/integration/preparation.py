@@ -135,11 +135,15 @@ def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Ope
     want = understood(number, replace(one, state=last), known, operators)
     if not before:
         return want
-    cooked = understood(number, replace(one, state=before[-1]), known, operators)
-    if not cooked.cooked:
-        return replace(want, told=one.state)
-    divided = want.make and known.state(want.make).fine
-    return replace(cooked, then=want.make if divided else "", told=one.state)
+    first = understood(number, replace(one, state=before[-1]), known, operators)
+    if want.cooked and first.make and known.state(first.make).fine:
+        return replace(first, cooked=True, told=one.state)
+    divided = want.make if want.make and known.state(want.make).fine else ""
+    if first.cooked:
+        return replace(first, then=divided, told=one.state)
+    if before[-1] in word_list("is in a can"):
+        return replace(first, make=divided, told=one.state)
+    return replace(want, told=one.state)
 
 
 def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> Want:
@@ -164,7 +168,8 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
         if _is_bought_so(row, before, operators):
             return replace(want, leaf=(before,), bought_so=True)
         if row.needs_heat and "cook" in row.earns and not want.cooked and "boil" not in want.facts.owes:
-            return replace(want, cooked=True, roasted=before in word_list("is roasted"))
+            make = before if before in word_list("is so by boiling") else ""
+            return replace(want, cooked=True, make=want.make or make, roasted=before in word_list("is roasted"))
         if (row.fine or 0) >= _POWDER and {"cook", "boil"} & want.facts.owes.keys():
             return replace(want, then=before)
     return want

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.food import tables
@@ -77,13 +78,17 @@ def is_bought_so(state: str, food: str) -> bool:
     return tables().foods.is_listed(name) and tables().foods.food(name).is_a("cooked meat")
 
 
-def as_bought(line: RecipeLine) -> RecipeLine:
-    """Return a line whose food is bought cooked under that name, where more was done to it than to cook it.
+def as_bought(line: RecipeLine, so: Sequence[str] = ()) -> RecipeLine:
+    """Return a line whose food is bought ``so``: cooked under that name, where more was done to it, or in a can.
 
-    A utensil is no food (skewers).
+    What a can holds was diced or crushed by nobody here. A utensil is no food (skewers).
     """
     if line.object and tables().utensil(line.object) is not None and not tables().foods.is_listed(line.object):
         return replace(line, object=None, left_over=(*line.left_over, line.object))
+    canned = tables().foods.as_measured(line.object, [line.unit]) if line.object else ""
+    if canned:
+        states = (canned, *(state for state in line.states if state not in {canned, *so}))
+        return replace(line, state=asked_state(states, tables()), states=states)
     first, rest = line.states[:1], line.states[1:]
     if line.object is None or not rest or not is_bought_so(first[0], line.object):
         return line

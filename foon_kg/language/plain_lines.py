@@ -125,7 +125,7 @@ def read_quickly(line: str) -> RecipeLine | None:
         left_over=(*done[1], *optional, *inside),
         confidence=AGREES,
     )
-    return as_bought(answer)
+    return as_bought(answer, food[0])
 
 
 def _measures(words: str, quantity: Fraction) -> tuple[str, str, str]:

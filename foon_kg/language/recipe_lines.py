@@ -156,7 +156,7 @@ def _parse(text: str) -> RecipeLine:
         left_over=(*unread, *remarks, *(part.text for part in parsed.amount[1:])),
         confidence=round(float(parsed.name[0].confidence), 4),
     )
-    return as_bought(answer)
+    return as_bought(answer, in_name)
 
 
 def _amount(amount: Any) -> tuple[str, str]:  # noqa: ANN401 - the package's own class, which mypy does not know

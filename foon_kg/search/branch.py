@@ -19,20 +19,15 @@ Options = dict[int, list[int]]
 _CLOCK_EVERY = 16
 
 
-@dataclass(eq=False)
-class Search(ABC):
-    """One search: the ``best`` tree so far (no steps: none of least penalty yet), and what is still to be tried."""
+class BranchAndBound(ABC):
+    """The search itself, depth first: which partial tree is tried next. What makes a tree better is for its children.
+
+    ``untried`` are the partial trees that are still to be tried, the next one last.
+    """
 
     reduced: Reduced
-    best: int
     deadline: Deadline
-    untried: list[Partial] = field(default_factory=list)
-
-    def __post_init__(self) -> None:
-        found = value_of(self.reduced.core, self.best)
-        is_tree = self.best and found[0] == self.reduced.penalty
-        self.value: Value = found if is_tree else (self.reduced.penalty + 1, 1, 0, 0)
-        self.untried.append(self.reduced.choice.start())
+    untried: list[Partial]
 
     def run(self, patience: int | None = None) -> bool:
         """Search until the best is proven (True), or ``patience`` trees were tried or the deadline passed (False)."""
@@ -46,24 +41,15 @@ class Search(ABC):
             if partial is None:
                 continue
             if not partial.waiting:
-                self._offer(partial.chosen)
+                self.offer(partial.chosen)
                 continue
             outlook = Outlook.of(self.reduced, partial)
             options = self.options(partial, outlook)
             if options:
                 node = min(options, key=lambda waiting: (len(options[waiting]), waiting))
-                ordered = sorted(options[node], key=lambda step: self._promise(step, outlook), reverse=True)
+                ordered = sorted(options[node], key=lambda step: self.promise(step, outlook), reverse=True)
                 self.untried += [partial.take(core, node, step) for step in ordered]
         return True
-
-    def bound(self) -> Bound:
-        """Return what no tree can be better than: the best found, or anything still to be tried."""
-        bounds = [Bound(self.reduced.penalty, -self.value[1], self.value[2])]
-        for partial in self.untried:
-            outlook = Outlook.of(self.reduced, partial)
-            units = self.reduced.core.units_in(outlook.needed)
-            bounds.append(Bound(self.reduced.penalty, outlook.reach.bit_count(), units))
-        return weakest(bounds)
 
     @abstractmethod
     def is_proven(self) -> bool:
@@ -76,6 +62,39 @@ class Search(ABC):
         It is cut where no tree that grows from here is better than the best so far; ``outlook`` is what is known of
         these trees.
         """
+
+    @abstractmethod
+    def offer(self, steps: int) -> None:
+        """Take the tree of ``steps``, one bit a step, as the best where it is better than the best so far."""
+
+    @abstractmethod
+    def promise(self, step: int, outlook: Outlook) -> tuple[int, ...]:
+        """Return how a choice of ``step`` (by number) is ranked in a tree of that ``outlook``, the least first."""
+
+
+@dataclass(eq=False)
+class Search(BranchAndBound):
+    """A search for a reference tree: the ``best`` one so far (no steps: none of least penalty yet)."""
+
+    reduced: Reduced
+    best: int
+    deadline: Deadline
+    untried: list[Partial] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        found = value_of(self.reduced.core, self.best)
+        is_tree = self.best and found[0] == self.reduced.penalty
+        self.value: Value = found if is_tree else (self.reduced.penalty + 1, 1, 0, 0)
+        self.untried.append(self.reduced.choice.start())
+
+    def bound(self) -> Bound:
+        """Return what no tree can be better than: the best found, or anything still to be tried."""
+        bounds = [Bound(self.reduced.penalty, -self.value[1], self.value[2])]
+        for partial in self.untried:
+            outlook = Outlook.of(self.reduced, partial)
+            units = self.reduced.core.units_in(outlook.needed)
+            bounds.append(Bound(self.reduced.penalty, outlook.reach.bit_count(), units))
+        return weakest(bounds)
 
     def affordable(self, partial: Partial, outlook: Outlook) -> Options:
         """Return what may be chosen for the nodes that wait in ``partial`` without more than the least penalty.
@@ -101,12 +120,14 @@ class Search(ABC):
             node: [step for step in steps if cuts.least_with(core, step) <= spare] for node, steps in options.items()
         }
 
-    def _offer(self, steps: int) -> None:
+    def offer(self, steps: int) -> None:
+        """Take the tree of ``steps`` where it is of least penalty and better than the best so far."""
         value = value_of(self.reduced.core, steps)
         if value[0] == self.reduced.penalty and value < self.value:
             self.best, self.value = steps, value
 
-    def _promise(self, step: int, outlook: Outlook) -> tuple[int, int, int, int]:
+    def promise(self, step: int, outlook: Outlook) -> tuple[int, int, int, int]:
+        """Return what ``step`` adds to the ``outlook``: gaps, wanted foods, units; ties go to the least key."""
         core = self.reduced.core
         extra = self.reduced.landmarks.steps_of_step[step] & ~outlook.needed
         gain = (core.foods_of(extra) & ~outlook.foods).bit_count()

@@ -21,7 +21,11 @@ from foon_kg.food.told_states import asked_state, in_turn
         (("cooked", "crumbled"), "cooked, crumbled"),
         (("sliced", "toasted"), "toasted"),
         (("drained", "chopped"), "chopped"),
-        (("diced", "drained"), "drained"),
+        (("drained",), "drained"),
+        (("diced", "drained"), "diced"),
+        (("canned", "drained"), "drained"),
+        (("canned", "drained", "chopped"), "canned, chopped"),
+        (("sliced", "cooked"), "sliced, cooked"),
         (("frozen", "chopped", "thawed", "drained"), "thawed"),
     ],
 )

@@ -24,8 +24,8 @@ TURN_ON, TURN_OFF = "turn on", "turn off"
 
 
 @dataclass(frozen=True)
-class Maker:
-    """Makes units of ``nodes``, and changes their scene as these units do."""
+class OfNodes:
+    """What drafts with ``nodes``, and reaches through them what the FOON knows and how everything is."""
 
     nodes: NodeDrafter
 
@@ -38,6 +38,11 @@ class Maker:
     def scene(self) -> Scene:
         """Where and how everything is by now."""
         return self.nodes.scene
+
+
+@dataclass(frozen=True)
+class Maker(OfNodes):
+    """Makes units of ``nodes``, and changes their scene as these units do."""
 
     def unit(
         self,

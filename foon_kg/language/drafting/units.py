@@ -12,11 +12,10 @@ from foon_kg.language.drafting.bringing import Bringing
 from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.language.drafting.evidence import IMPLIED, Evidence, as_one
 from foon_kg.language.drafting.handling import Handling
-from foon_kg.language.drafting.making import Maker
+from foon_kg.language.drafting.making import Maker, OfNodes
 from foon_kg.language.drafting.mixing import Mixing
-from foon_kg.language.drafting.nodes import NodeDrafter
-from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
-from foon_kg.language.drafting.scene import Scene, emptied, filled
+from foon_kg.language.drafting.precedents import Precedents
+from foon_kg.language.drafting.scene import emptied, filled
 from foon_kg.model import Annotation, ObjectNode, Timing
 from foon_kg.model.narration import Mention, NarratedAction, Place
 
@@ -35,24 +34,13 @@ def _covers(action: NarratedAction, motion: str) -> bool:
 
 
 @dataclass(frozen=True)
-class UnitDrafter:
+class UnitDrafter(OfNodes):
     """Drafts units of ``nodes``, and changes their scene as these units do.
 
     ``free``: the actions are read in free text, which leaves out what everybody knows, as that ovens are turned on.
     """
 
-    nodes: NodeDrafter
     free: bool = True
-
-    @property
-    def precedents(self) -> FoonPrecedents:
-        """What the FOON knows of such actions."""
-        return self.nodes.precedents
-
-    @property
-    def scene(self) -> Scene:
-        """Where and how everything is by now."""
-        return self.nodes.scene
 
     @cached_property
     def _maker(self) -> Maker:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, field
 from typing import Self
 
-from foon_kg.search.branch import Options, Outlook
+from foon_kg.search.branch import BranchAndBound, Options, Outlook
 from foon_kg.search.core import Core, bits_of
 from foon_kg.search.cuts import cut_bound
 from foon_kg.search.deadline import Deadline
@@ -19,7 +19,6 @@ from foon_kg.search.partial import Partial
 from foon_kg.search.reduction import Reduced
 
 _PATIENCE = 16
-_CLOCK_EVERY = 16
 
 Weigh = Callable[[Core], Sequence[int]]
 """Answers the weight of every step of a core, 1 or more."""
@@ -64,7 +63,7 @@ def least_weight(core: Core, weigh: Weigh, deadline: Deadline) -> LeastWeight | 
 
 
 @dataclass(eq=False)
-class _Search:
+class _Search(BranchAndBound):
     """One search: the ``best`` tree so far, and what is still to be tried."""
 
     reduced: Reduced
@@ -101,35 +100,20 @@ class _Search:
         """The place of the best tree in the order of trees."""
         return self._value_of(self.best)
 
-    def run(self, patience: int) -> bool:
-        """Search until the best is proven (True), or ``patience`` trees were tried or the deadline passed (False)."""
-        choice = self.reduced.choice
-        tried = 0
-        while self.untried:
-            if tried == patience or (tried % _CLOCK_EVERY == 0 and self.deadline.has_passed()):
-                return False
-            tried += 1
-            partial = choice.forced(self.untried.pop())
-            if partial is None:
-                continue
-            if not partial.waiting:
-                self._offer(partial.chosen)
-                continue
-            outlook = Outlook.of(self.reduced, partial)
-            options = self._options(partial, outlook)
-            if options:
-                node = min(options, key=lambda waiting: (len(options[waiting]), waiting))
-                ordered = sorted(options[node], key=lambda step: self._promise(step, outlook.needed), reverse=True)
-                self.untried += [partial.take(self.core, node, step) for step in ordered]
-        return True
-
     def bound(self) -> int:
         """Return what no tree can be lighter than: the best found, or anything still to be tried."""
         needed = (Outlook.of(self.reduced, partial).needed for partial in self.untried)
         return min([self.value[0], *(_weight_of(self.weights, steps) for steps in needed)])
 
-    def _options(self, partial: Partial, outlook: Outlook) -> Options:
-        """Return what may be chosen for the waiting nodes; nothing where no tree from here is better than the best."""
+    def is_proven(self) -> bool:
+        """Return False: before everything is tried another tree may be as light and have lesser keys."""
+        return False
+
+    def options(self, partial: Partial, outlook: Outlook) -> Options:
+        """Return what may be chosen for the nodes that wait in ``partial``; nothing where the best is no worse.
+
+        ``outlook`` says what all trees that grow from here weigh at least.
+        """
         weight, steps = self.value
         needed = _weight_of(self.weights, outlook.needed)
         if needed > weight or (needed == weight and -outlook.needed >= steps) or self._seen_better(partial, outlook):
@@ -152,7 +136,8 @@ class _Search:
         self.seen[key] = value
         return False
 
-    def _offer(self, steps: int) -> None:
+    def offer(self, steps: int) -> None:
+        """Take the tree of ``steps`` where it is lighter than the best, or as light with lesser keys."""
         if self._value_of(steps) < self.value:
             self.improved = self.improved or _weight_of(self.weights, steps) < self.value[0]
             self.best = steps
@@ -160,8 +145,9 @@ class _Search:
     def _value_of(self, steps: int) -> Value:
         return (_weight_of(self.weights, steps), -steps)
 
-    def _promise(self, step: int, needed: int) -> tuple[int, int]:
-        extra = self.reduced.landmarks.steps_of_step[step] & ~needed
+    def promise(self, step: int, outlook: Outlook) -> tuple[int, int]:
+        """Return what ``step`` adds to the weight of what is needed in the ``outlook``; ties go to the least key."""
+        extra = self.reduced.landmarks.steps_of_step[step] & ~outlook.needed
         return _weight_of(self.weights, extra), -step
 
 
