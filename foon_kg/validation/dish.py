@@ -32,18 +32,28 @@ def defined(case: Case) -> Iterator[Finding]:
     title = case.recipe.title or "" if case.recipe else ""
     for lack in missing(case, case.goal.label, *case.dish_types, title):
         yield Finding("K5", f"“{case.goal.label}” without {lack}", None, (case.goal,))
-    cold = any(dish.heated is False and not dish.is_type for dish in case.tables.dishes_named(title))
-    cold = cold or not word_list("is never hot").isdisjoint(words(title))
-    for dish in case.tables.dishes_named(case.goal.label, *case.dish_types, title) if not cold else ():
-        warm = _is_asked(case, dish) or is_unbaked(title) or any(part.heated is not None for part in case.parts)
-        if dish.heated and not warm:
-            yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
-    if case.recipe and not cold:
-        yield from _raw_sauce(case, case.goal, title)
+    if not _is_never_hot(case, title):
+        yield from _unheated(case, case.goal, title)
+        if case.recipe:
+            yield from _raw_sauce(case, case.goal, title)
     for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), title):
         bought = any(part.food.is_a(dish.name) for part in case.parts)  # bread that somebody dips was baked before
         if dish.baked and not bought and not _baked(case) and not is_unbaked(title):
             yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (case.goal,))
+
+
+def _is_never_hot(case: Case, title: str) -> bool:
+    """Whether a dish is called as one that is cold."""
+    cold = any(dish.heated is False and not dish.is_type for dish in case.tables.dishes_named(title))
+    return cold or not word_list("is never hot").isdisjoint(words(title))
+
+
+def _unheated(case: Case, goal: ObjectNode, title: str) -> Iterator[Finding]:
+    """Yield the names of the dish that are those of hot dishes, where nothing in it was heated."""
+    for dish in case.tables.dishes_named(goal.label, *case.dish_types, title):
+        warm = _is_asked(case, dish) or is_unbaked(title) or any(part.heated is not None for part in case.parts)
+        if dish.heated and not warm:
+            yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (goal,))
 
 
 def _raw_sauce(case: Case, goal: ObjectNode, title: str) -> Iterator[Finding]:
