@@ -58,10 +58,15 @@ class _Body:
         self.fried = [join for join in fried if join not in self.main]
 
     def _mass(self, *, shaped: bool) -> list[Join]:
-        """Return what patties are made of: what is raw, and where nothing is and they are ``shaped``, what is not."""
+        """Return what patties are made of: what is raw; where nothing is and they are ``shaped``, what is not.
+
+        Else what falls apart: in shreds it is shaped, too.
+        """
         able = [join for join in self.joins if join.want.facts.is_a(*word_list("patties are made of"))]
         raw = [join for join in able if join in self.raw]
-        return able if shaped and not raw else raw
+        if raw or not shaped:
+            return raw
+        return able or [join for join in self.joins if self._falls_apart(join)]
 
     def _is_braised(self, flesh: Join) -> bool:
         wet = any(join.want.facts.is_of(*word_list("is braised in")) for join in self.joins)

@@ -34,7 +34,6 @@ def read(line):
         ("1 cup powdered sugar, sifted", "powdered sugar", "sifted", "1", "cup"),
         ("1 can diced tomatoes, drained", "tomatoes", "drained", "1", "can"),
         ("1 can diced tomatoes", "tomatoes", "canned", "1", "can"),
-        ("1 can tuna, drained and flaked", "tuna", "canned, flaked", "1", "can"),
         ("8 eggs, hard-boiled and chopped", "eggs", "boiled, chopped", "8", ""),
         ("1 cup bean sprouts, chopped", "bean sprouts", "chopped", "1", "cup"),
         ("1 lb ground beef", "ground beef", "", "1", "lb"),
