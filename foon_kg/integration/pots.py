@@ -44,7 +44,7 @@ def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     hot = next((place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)), 0)
     pan, before, rest = line.stages[hot], line.stages[:hot], line.stages[hot + 1 :]
     cold = bool(before) and all(stage.does <= _MIXES for stage in before)
-    if not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does or not _fries_in_turn(joins):
+    if not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does or not _is_fried_in_turn(joins):
         return line, tuple(joins)
     kept = tuple(add for one in before for add in one.adds if isinstance(add, Line) and _heats(add))
     staying = [stage for add in kept for stage in add.all_stages()]
@@ -54,7 +54,7 @@ def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     return Line((fresh, *rest)), found
 
 
-def _fries_in_turn(joins: Sequence[Join]) -> bool:
+def _is_fried_in_turn(joins: Sequence[Join]) -> bool:
     """Whether foods are boiled for a sauce, or flesh is stewed in a liquid, and nothing binds them."""
     facts = [join.want.facts for join in joins]
     wet = word_list("is cooked in for long") | word_list("is poured into the pan")

@@ -51,7 +51,7 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
     if place is None:
         return line, tuple(joins)
     beside = list(_beside(line))
-    if not _makes_a_dressing(parts, beside):
+    if not _has_enough_to_pour(parts, beside):
         boiled = {id(stage) for stage in beside if stage.does <= _BOILS}
         last, later = line.stages[place], line.stages[place + 1 :]
         apart = (_apart(join, last, later) if id(join.spot.stage) in boiled else join for join in joins)
@@ -65,7 +65,7 @@ def _is_cold(stage: Stage) -> bool:
     return stage.does <= _BY_HAND or stage.does <= _BOILS
 
 
-def _makes_a_dressing(parts: Sequence[Join], beside: Sequence[Stage]) -> bool:
+def _has_enough_to_pour(parts: Sequence[Join], beside: Sequence[Stage]) -> bool:
     """Whether ``parts`` are enough for a dressing, and no machine makes the recorded one ``beside`` the dish."""
     runs = [join for join in parts if not _only_seasons(join)]
     body = any(join.want.facts.is_a(*_BODY) for join in runs)
