@@ -125,8 +125,8 @@ class Part:
 class Work:
     """What is done at a stage: the fields of a stage of a frame.
 
-    ``phased``: foods join in the order of what they are. ``on_top``: what joins only lies on it. ``bath``: it is done
-    in water that is poured off.
+    ``states`` are what the whole is then, where the FOON shows several for its motion. ``phased``: foods join in the
+    order of what they are. ``on_top``: what joins only lies on it. ``bath``: it is done in water that is poured off.
     """
 
     motion: str = ""
@@ -137,6 +137,7 @@ class Work:
     appliance: str = ""
     source: str = ""
     label: str = ""
+    states: tuple[str, ...] = ()
     phased: bool = False
     on_top: bool = False
     bath: bool = False
@@ -245,7 +246,8 @@ def components() -> tuple[Component, ...]:
 
 
 def _work(row: Mapping[str, Any]) -> Work:
-    return Work(**{**row, "does": frozenset(row.get("does", ())), "tools": tuple(row.get("tools", ()))})
+    lists = {"does": frozenset(row.get("does", ())), "tools": tuple(row.get("tools", ()))}
+    return Work(**{**row, **lists, "states": tuple(row.get("states", ()))})
 
 
 def _technique(name: str, row: Mapping[str, Any]) -> Technique:

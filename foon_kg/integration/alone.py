@@ -56,6 +56,9 @@ class Alone:
         self.bench.place(pot, "stove", "on")
         self.carry.boil_water(pot)
         self.bench.heat_off(pot)
+        beside = [one.want.facts for one in self.plan.joins if one.spot.stage is join.spot.stage]
+        if any(facts.is_a(*word_list("makes dough rise")) for facts in beside):
+            self.bench.let_cool(pot, ready.stuff, want.names)  # it would kill what makes it rise
 
     def beaten_first(self, join: Join, ready: Ready) -> None:
         """Open a food over a bowl of its own and beat it, where it is asked or joins so and is not beaten later."""
@@ -175,8 +178,8 @@ class Alone:
 
     def _is_boiled_there(self, join: Join, heats: Sequence[Stage], due: set[str]) -> bool:
         """Whether a food gets done in the liquid of the dish."""
-        want = join.want
-        if isinstance(join.spot.stage, Phase) and (want.cooked or not join.spot.stage.bath):
+        want, stage = join.want, join.spot.stage
+        if isinstance(stage, Phase) and (want.cooked or not (stage.bath or self.course.swells_there(join))):
             return False
         bath = [stage for stage in heats if "dry" not in stage.does]
         by_itself = want.facts.is_a(*word_list("is boiled by itself")) and not self.plan.one_pot

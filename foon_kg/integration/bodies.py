@@ -47,6 +47,7 @@ class _Body:
         mass = [join for join in raw if join.want.facts.is_a(*word_list("patties are made of"))]
         if shaped and not mass:
             mass = [join for join in joins if join.want.facts.is_a(*word_list("patties are made of"))]
+            mass = mass or [join for join in joins if self._falls_apart(join)]  # in shreds it is shaped, too
         self.shaped = bool(mass) and shaped
         flesh = [join for join in raw if join.want.facts.is_a(*word_list("is coated")) and join not in mass]
         fried = [join for join in joins if join.want.facts.is_a(*word_list("is fried to be stacked"))]

@@ -9,23 +9,26 @@ from typing import NamedTuple
 
 from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.named import Named
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
 from foon_kg.integration.bodies import made_apart
 from foon_kg.integration.coated import coated_alone
 from foon_kg.integration.components import Side, with_sides
-from foon_kg.integration.crowned import wedges_last
+from foon_kg.integration.crowned import strewn_under, wedges_last
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.formed import formed, formed_within, is_formed
 from foon_kg.integration.frames import Line
+from foon_kg.integration.named import as_named
 from foon_kg.integration.parts import Part, baked_at_last, with_parts
 from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
 from foon_kg.integration.spots import Join
+from foon_kg.integration.swelling import is_soaked_up
 from foon_kg.integration.techniques import as_a_way_says, carried_out
 from foon_kg.integration.thickened import sauce_apart
-from foon_kg.integration.warmed import garnished, is_heated, stirred
+from foon_kg.integration.warmed import for_many, garnished, is_heated, stirred
 
 
 @dataclass(frozen=True)
@@ -34,7 +37,8 @@ class Called:
 
     ``tin`` is what its batter or dough is baked in. ``baked``: the words say that it comes out of an oven; ``folded``
     are those by which it may be folded over. ``warms``: this FOON shows how a drink is heated. ``technique``: how it is
-    made whatever its video does, ``sides`` are its components.
+    made whatever its video does, ``sides`` are its components. ``asks`` is what its title asks to be done, with the
+    words that do.
     """
 
     dishes: Sequence[Dish]
@@ -48,6 +52,7 @@ class Called:
     warms: bool
     technique: Technique | None = None
     sides: Sequence[Side] = ()
+    asks: Sequence[tuple[Named, str]] = ()
 
     @cached_property
     def words(self) -> tuple[str, ...]:
@@ -72,21 +77,27 @@ class Arranged(NamedTuple):
 def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
     """Return how a dish is made: by the technique that it is called by, else after ``line`` as its name changes it.
 
-    Its components are made beside that, and join it.
+    Its components are made beside that, and join it; what its title asks for besides is done at a stage of its own.
     """
     made = _arranged(line, joins, parts, called, known)
     line, joins = with_sides(made.line, made.joins, called.sides, words(called.title), known)
+    line, joins = as_named(line, joins, [one for one, _ in called.asks], known)
+    if called.drunk:
+        line, joins = for_many(line, joins, words(called.title))
     return Arranged(line, joins, made.one_pot)
 
 
 def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
     if called.technique is not None:
-        line, found = carried_out(called.technique, joins, words(called.title), known)
-        return Arranged(line, found, "one pot" in called.technique.plan)
+        told = words(called.title)
+        line, found = carried_out(called.technique, joins, told, known)
+        return Arranged(line, found, "one pot" in called.technique.plan or is_soaked_up(found, told))
     line, joins = with_parts(line, joins, parts, called.tin)
     line, joins = baked_at_last(line, joins, called.title)
     made, found = as_a_way_says(line, joins, called.dishes, called.words, known)
     line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, known)
+    if any(dish.laid for dish in called.dishes):
+        joins = strewn_under(line, joins, known)
     if is_folded(joins, called.folded):
         line, joins = folded(joins)
     boiled = not word_list("boils in the dish").isdisjoint(called.told)
@@ -114,7 +125,8 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
     if not called.tin and word_list("is called battered").isdisjoint(told):
         line, joins = sauce_apart(line, joins)
     boiled = not word_list("boils in the dish").isdisjoint(told)
-    one_pot = boiled or is_stewed(called.title, called.dishes, joins, known)
+    soaked = is_soaked_up(joins, words(called.title))
+    one_pot = boiled or soaked or is_stewed(called.title, called.dishes, joins, known)
     if boiled:
         cold = is_never_heated(called.dishes, joins, known)
         line, joins = blended_when_done(line, joins, told, cold=cold)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from foon_kg.food import Tables, singular, words
+from foon_kg.food import Food, Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
@@ -223,6 +223,8 @@ class Carrier:
         liquids = word_list("stays liquid")
         if "baked" not in stuff.states and any(f"kind:{food.kind}" in liquids for food in foods):
             return True
+        if "baked" not in stuff.states and _is_a_sauce(foods):
+            return True
         if any(self.known.state(state).needs_heat for state in stuff.states):
             baked = "baked" in stuff.states and binds(stuff.foods, self.known)
             sets = baked or any(food.is_a("egg", "flour", "dough") for food in foods)  # what ran is solid now
@@ -265,7 +267,7 @@ class Carrier:
         foods = [self.known.foods.food(food) for food in stuff.foods]
         thin = any(food.is_of(*word_list("is a bath")) for food in foods)
         other = any(food.is_a("leaven", *word_list("makes no sauce of flour")) for food in foods)
-        return (thin and not other) or any(f"kind:{food.kind}" in word_list("makes a sauce of flour") for food in foods)
+        return not other and (thin or any(f"kind:{food.kind}" in word_list("makes a sauce of flour") for food in foods))
 
     def deep_for(self, label: str, wants: Sequence[Want]) -> str:
         """Return in what foods are baked that come into it one by one: nothing that runs on a tray."""
@@ -424,3 +426,14 @@ def _is_poured(known: Tables, label: str, states: tuple[str, ...]) -> bool:
     form = form_of(known, label, states)
     loose = facts.is_a(*word_list("lies loose")) and word_list("lies in one piece").isdisjoint(states)
     return form in {"liquid", "powder"} or finest >= _SMALL or (loose and form in {"pieces", "whole"})
+
+
+def _is_a_sauce(foods: Sequence[Food]) -> bool:
+    """Whether foods make a sauce that flour only thickens: a liquid, and nothing that is solid in it or sets."""
+    parts = word_list("is in what only gets thick")
+    wet = any(food.is_a("cooking liquid") for food in foods)
+    return (
+        wet
+        and all(food.is_a(*parts) for food in foods)
+        and not any(food.is_a("dough", "egg", "leaven") for food in foods)
+    )

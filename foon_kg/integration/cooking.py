@@ -19,7 +19,7 @@ from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import COATS, HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.crowned import crowned
-from foon_kg.integration.frames import BATH, Line, Phase, Stage
+from foon_kg.integration.frames import BATH, Asked, Line, Phase, Stage
 from foon_kg.integration.operators import Attested, form_of
 from foon_kg.integration.phases import in_phases
 from foon_kg.integration.preparation import Preparer, Ready
@@ -94,7 +94,9 @@ class Cooking:
             form = (*form, "halved")
         if self.plan.stacked and want.facts.is_a(*word_list("is sliced to be stacked")):
             form = (*form, "sliced")
-        if isinstance(stage, Phase) and stage.small and want.facts.is_a(*word_list("is cut for a dish")):
+        pulled = any(one.motion in word_list("pulls flesh apart") for one in join.spot.after)
+        small = isinstance(stage, Phase) and stage.small and not pulled
+        if small and want.facts.is_a(*word_list("is cut for a dish")):
             form = (*form, "chopped")
         cut = bool(want.make) and (self.known.state(want.make).fine or 0) > 0
         if not cut and self._is_eaten_raw(join) and want.facts.is_a(*word_list("is never eaten whole")):
@@ -507,7 +509,8 @@ class Cooking:
     def _do(
         self, stage: Stage, vessel: Vessel, device: str, relation: str, later: Sequence[Stage], *, main: bool
     ) -> None:
-        if not stage.motion or stage.does.isdisjoint(WORKS) or self._is_idle(stage, vessel, later):
+        idle = not isinstance(stage, Asked) and self._is_idle(stage, vessel, later)
+        if not stage.motion or stage.does.isdisjoint(WORKS) or idle:
             return
         if device and not relation:
             self._by_hand_device(stage, vessel, device, later, main=main)
@@ -585,7 +588,8 @@ class Cooking:
             return True
         rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
         opened = stage.does == {"cut"} and "baked" in vessel.contents[0].states
-        return not mixes and not heats and "wait" not in stage.does and single and not rolled and not opened
+        alone = stage.does.isdisjoint({"peel", "wait"})
+        return not mixes and not heats and alone and single and not rolled and not opened
 
     def _is_awaited(self, following: Stage) -> bool:
         """Whether something comes next that has to come into a liquid that is hot: what was shaped."""

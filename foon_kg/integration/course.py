@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Phase, Stage
 from foon_kg.integration.spots import Join
 
@@ -13,7 +14,7 @@ HEATS = frozenset({"heat", "warm"})
 COATS = frozenset({"coat", "mix"})
 """What a stage does at which one food is turned in another, and stays what it is."""
 
-WORKS = MIXES | HEATS | {"wait", "shape", "turn", "cut"}
+WORKS = MIXES | HEATS | {"wait", "shape", "turn", "cut", "peel"}
 
 
 @dataclass
@@ -84,6 +85,10 @@ class Course:
                 place: float = slots.index(join.slot) if join.slot in slots else -0.5
             elif facts.is_a("fat") and heats:
                 place = -1
+            elif "dry" in stage.does and facts.is_a(*word_list("melts on top")):
+                place = len(slots) + 0.8  # nothing is poured over what browns
+            elif "dry" in stage.does and facts.is_a(*word_list("is browned on top")):
+                place = len(slots) + 0.9
             elif facts.is_a("liquid", "creamy"):
                 place = len(slots) + 0.5
             elif facts.is_a("spice", "herb"):
@@ -121,6 +126,14 @@ class Course:
             if join.want.facts.is_a("cooking liquid") and any(join.spot.stage is s for s in self._until(stages[-1])):
                 return True
         return self._water_slot(stages)
+
+    def swells_there(self, join: Join) -> bool:
+        """Whether a food swells in what the dish itself is made of: nothing is poured off, and a liquid joins there."""
+        if not self.plan.one_pot or not join.want.facts.is_a(*word_list("swells")):
+            return False
+        there = {id(stage) for stage in (join.spot.stage, *join.spot.after)}
+        liquid = word_list("swells what is dry")
+        return any(id(one.spot.stage) in there and one.want.facts.is_of(*liquid) for one in self.plan.joins)
 
     def _until(self, last: Stage) -> list[Stage]:
         found: list[Stage] = []

@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.preparation import Want
-from foon_kg.integration.spots import Join, only_carries
+from foon_kg.integration.spots import Join, only_carries, spots_of
 
 _MELTS = word_list("melts on what is hot")
 _THICKENS = word_list("thickens what is boiled")
@@ -38,6 +38,21 @@ def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
         line = Line((*line.stages, top))
     joins = [_ending(join, top, on_top=join in tops) for join in plan.joins]
     return line, replace(plan, joins=joins)
+
+
+def strewn_under(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Join, ...]:
+    """Return joins with what is strewn under dough where that comes on what it is baked on, so that it does not stick.
+
+    It is no part of the dough that is made of something else, nor of what lies on it.
+    """
+    rows = ((stage, known.utensil(stage.vessel) if stage.vessel else None) for stage in line.stages)
+    tin = next((stage for stage, row in rows if row is not None and "bake" in row.can), None)
+    own = {join.want.number for join in joins if join.want.facts.is_a(*word_list("is strewn under dough"))}
+    dough = any(join.want.facts.is_a("dough", "flour") for join in joins if join.want.number not in own)
+    if tin is None or not dough:
+        return tuple(joins)
+    spot = next(spot for spot in spots_of(line) if spot.stage is tin)
+    return tuple(replace(join, spot=spot, slot=None) if join.want.number in own else join for join in joins)
 
 
 def wedges_last(

@@ -104,6 +104,7 @@ class _Mass:
         wet = [join.want for join in self.joins if _runs_around(join.want.facts) and not self._is_beside_binder(join)]
         wet = [want for want in wet if want.places and min(want.places) > first]
         main = [want for want in wet if want.facts.is_of(*word_list("is the body of a sauce"))]
+        wet = [want for want in wet if not want.facts.is_a(*word_list("is mixed into a mass"))]
         return min((min(want.places) for want in main or wet), default=math.inf)
 
     def holds(self, join: Join) -> bool:

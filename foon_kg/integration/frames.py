@@ -70,6 +70,11 @@ class Phase(Stage):
 
 
 @dataclass(frozen=True)
+class Asked(Stage):
+    """A stage that a word of the title asks for: it is done to whatever is there, as the FOON does it to anything."""
+
+
+@dataclass(frozen=True)
 class Line:
     """Stages one after another that lead to one thing: the dish, or what joins it (a dressing, a batter)."""
 

@@ -168,7 +168,8 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
         if _is_bought_so(row, before, operators):
             return replace(want, leaf=(before,), bought_so=True)
         if row.needs_heat and "cook" in row.earns and not want.cooked and "boil" not in want.facts.owes:
-            return replace(want, cooked=True, roasted=before in word_list("is roasted"))
+            make = before if before in word_list("is so by boiling") else ""
+            return replace(want, cooked=True, make=want.make or make, roasted=before in word_list("is roasted"))
         if (row.fine or 0) >= _POWDER and {"cook", "boil"} & want.facts.owes.keys():
             return replace(want, then=before)
     return want

@@ -111,7 +111,7 @@ def stage_of(name: str) -> Stage:
     work = works()[name]
     return Stage(
         (), work.motion, work.does, work.tools, work.vessel, work.relation, work.appliance, work.source, work.label,
-        (), -1,
+        work.states, -1,
     )  # fmt: skip
 
 
@@ -134,19 +134,42 @@ class _Placed:
         wishes.sort(key=lambda wish: (wish[0].again, wish[0].is_rest))
         told = {join.want.part for join in joins} & (lines.keys() - {_MAIN})
         apart = told if any(foods.is_rest for foods, _, _ in wishes) else set()
+        once: dict[int, tuple[Join, Foods, Part]] = {}
         taken: dict[int, str] = {}
         for line in sorted(told):  # what a recipe says of it itself comes before all
             meant = [(foods, part) for foods, part, name in wishes if name == line]
             for join in (join for join in joins if join.want.part == line):
-                taken[join.want.number] = line
-                yield (join, *next((wish for wish in meant if means(wish[0], join.want, self.around)), meant[0]))
+                wish = next((wish for wish in meant if means(wish[0], join.want, self.around)), meant[0])
+                taken[join.want.number], once[join.want.number] = line, (join, *wish)
+        more: list[tuple[Join, Foods, Part]] = []
         for foods, part, name in wishes:
-            for join in joins:
-                number, part_said = join.want.number, bool(join.want.part)
-                here = taken.get(number) == name or part_said if foods.again else number in taken or name in apart
-                if not here and means(foods, join.want, self.around):
-                    taken.setdefault(number, name if foods.is_rest else "")  # else two of it are meant: layers
-                    yield join, foods, part
+            found = [join for join in joins if means(foods, join.want, self.around)]
+            if foods.again:
+                found = [join for join in found if taken.get(join.want.number) != name and not join.want.part]
+                more += self._again(found, foods, part, once)
+            for join in found if name not in apart and not foods.again else ():
+                if join.want.number not in once:
+                    taken[join.want.number] = name if foods.is_rest else ""  # else two of it are meant: layers
+                    once[join.want.number] = (join, foods, part)
+        yield from once.values()
+        yield from more
+
+    def _again(
+        self, found: Sequence[Join], foods: Foods, part: Part, once: dict[int, tuple[Join, Foods, Part]]
+    ) -> Iterator[tuple[Join, Foods, Part]]:
+        """Yield the second portions that join a part; what a recipe names twice is two portions already.
+
+        Of those the one joins that stands nearest, in the recipe, to the other foods of the part.
+        """
+        there = [join.want.number for join, _, at in once.values() if at is part]
+        labels = Counter(singular(join.want.label) for join in found)
+        for label in labels:
+            alike = [join for join in found if singular(join.want.label) == label]
+            if len(alike) > 1 and not any(join.want.number in there for join in alike):
+                near = min(alike, key=lambda join: min((abs(join.want.number - n) for n in there), default=0))
+                once[near.want.number] = (near, replace(foods, again=False), part)
+            elif len(alike) == 1 and alike[0].want.number not in there:
+                yield alike[0], foods, part
 
     def line(self, name: str) -> Line:
         """Return one line of the technique, with those that join it: each where it is named first."""
@@ -171,7 +194,7 @@ class _Placed:
         over_heat = work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased
         stage = (partial(Phase, bath=work.bath) if over_heat else Stage)(
             (BATH, *adds) if work.bath else adds, work.motion, work.does, work.tools, part.vessel or work.vessel,
-            work.relation, work.appliance, work.source, self._label(part, work.label), (), 0,
+            work.relation, work.appliance, work.source, self._label(part, work.label), work.states, 0,
         )  # fmt: skip
         self.stages[id(part)] = stage
         return stage

@@ -46,14 +46,13 @@ class Utensils:
         if device and fits and row is not None:
             appliance = self.known.utensil(device)
             if appliance is not None and appliance.source == "heat":
-                able = {"in": {"bake", "microwave"}, "on": {"heat", "cook"}}.get(appliance.holds, set())
-                fits = bool(row.can & able)
+                fits = self._can_stand(stage.vessel, device, stage)
         if fits:
             return stage.vessel
         if device:
             appliance = self.known.utensil(device)
             if appliance is not None and appliance.source == "heat":
-                if vessel is not None and self._can_stand(vessel.label, device):
+                if vessel is not None and self._can_stand(vessel.label, device, stage):
                     return vessel.label
                 if appliance.holds == "in":
                     return "baking tray"
@@ -62,8 +61,10 @@ class Utensils:
             return "cutting board" if stage.relation == "on" and stage.does & {"knead", "shape"} else "bowl"
         return vessel.label
 
-    def _can_stand(self, label: str, device: str) -> bool:
+    def _can_stand(self, label: str, device: str, stage: Stage) -> bool:
+        """Whether a vessel can be where a stage heats it: what a microwave can warm does not bear an oven."""
         row, appliance = self.known.utensil(label), self.known.utensil(device)
         if row is None or appliance is None:
             return False
-        return bool(row.can & ({"bake", "microwave"} if appliance.holds == "in" else {"heat", "cook"}))
+        inside = {"bake"} if "dry" in stage.does else {"bake", "microwave"}
+        return bool(row.can & {"in": inside, "on": {"heat", "cook"}}.get(appliance.holds, set()))

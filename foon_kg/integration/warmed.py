@@ -8,7 +8,7 @@ from dataclasses import replace
 from foon_kg.food import tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import MIXES, WORKS
-from foon_kg.integration.frames import Line
+from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.operators import Operators
 from foon_kg.integration.patterns import MIX, STIR
 from foon_kg.integration.spots import Join
@@ -40,6 +40,23 @@ def stirred(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     stir = replace(_GLASS, step=last.step, vessel=last.vessel if is_served_in(last.vessel) else _GLASS.vessel)
     found = (replace(join, spot=replace(join.spot, stage=stir, after=(), side=False)) for join in joins)
     return Line((stir,)), tuple(found)
+
+
+def for_many(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that ends in a jug where its title says that it is made for many: one glass does not hold it."""
+    if word_list("is made for many").isdisjoint(told):
+        return line, tuple(joins)
+    stages = {id(stage): _in_a_jug(stage) for stage in line.stages}
+    found = []
+    for join in joins:
+        after = tuple(stages.get(id(stage), stage) for stage in join.spot.after)
+        spot = replace(join.spot, stage=stages.get(id(join.spot.stage), join.spot.stage), after=after)
+        found.append(replace(join, spot=spot))
+    return Line(tuple(stages.values())), tuple(found)
+
+
+def _in_a_jug(stage: Stage) -> Stage:
+    return replace(stage, vessel=min(word_list("holds what is made for many"))) if is_served_in(stage.vessel) else stage
 
 
 def is_served_in(label: str) -> bool:

@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.course import COATS, HEATS, MIXES, WORKS, Plan
-from foon_kg.integration.frames import Phase, Stage
+from foon_kg.integration.frames import Asked, Phase, Stage
 from foon_kg.integration.operators import Attested, Nearness, Way, is_liquid_fat
 from foon_kg.integration.preparation import Want
 from foon_kg.world.becoming import meets
@@ -305,17 +305,23 @@ class Worker:
         found = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
         if found is not None and (own is None or found.nearness < own.nearness):
             return found
-        if own is not None:
-            return own
+        return own or self._in_its_stead(stage, foods)
+
+    def _in_its_stead(self, stage: Stage, foods: Sequence[str]) -> Attested | None:
+        """Return a way that does what a stage does, where its own motion is attested for nothing like these foods."""
         main = "heat" if "heat" in stage.does else next(iter(sorted(stage.does & WORKS)), "")
         ways = [way for way in self.bench.operators.ways.get(main, ()) if self.known.motion(way[0]).does == stage.does]
-        if stage.does == {"shape"}:  # to roll and to pinch are no less alike for other foods than what else shapes
+        pulls = stage.motion in word_list("pulls flesh apart")
+        # to roll and to pinch are no less alike for other foods than what else shapes
+        if stage.does == {"shape"} or isinstance(stage, Asked) or pulls:
             own = self.bench.far([(stage.motion, stage.tools)], foods)
             if own is not None:
                 return own
         found = self.bench.attest(ways, foods)
         if found is None and isinstance(stage, Phase):
             found = self.bench.far([(stage.motion, stage.tools)], foods)
+        if found is None and "knead" in stage.does:
+            return self.stirring(foods)  # where nobody kneads, it is stirred together
         if found is None and not stage.does.isdisjoint(MIXES | HEATS):
             raise RefusedError(f"nothing attests “{stage.motion}” for {', '.join(foods)}")
         return found
@@ -415,8 +421,9 @@ class Worker:
         if not states and stage.motion:
             able = sorted(s for s in stage.states if s in self.known.motion(way[0]).gives)
             states |= set(able[:1])
-        if not does.isdisjoint({"shape", "turn", "cut"}) and does.isdisjoint(HEATS):
-            able = self.given_by(way)
+        if not does.isdisjoint({"shape", "turn", "cut", "peel"}) and does.isdisjoint(HEATS):
+            own = [state for state in stage.states if state in self.known.motion(way[0]).gives]
+            able = own or self.given_by(way)
             states |= set(able[:1]) if states.isdisjoint(able) else set()
             states |= set(vessel.contents[0].states) if len(vessel.contents) == 1 else set()
         return tuple(sorted(states))

@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.named import named_by
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.choice import Fit, fits, refusals, shortlisted
 from foon_kg.integration.bench import Bench, RefusedError
@@ -25,6 +26,7 @@ from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.methods import Methods, TeachingView
+from foon_kg.integration.named import with_unheeded
 from foon_kg.integration.parts import parts_of
 from foon_kg.integration.places import Joiners, Matcher
 from foon_kg.integration.preparation import as_there, wants_of
@@ -180,6 +182,7 @@ class _Question:
         recorded = (words(one.label) for one in self.methods.outlines.all if one.dish_type == recipe.dish_type)
         whole = Asked(self.wants, recipe.dish_type, title, self.known)
         own, self.sides = sides_of(self.wants, whole.dishes, recipe.dish_type, title, baked=whole.baked)
+        self.asks = named_by(title, recipe.dish_type, [(want.label, want.facts) for want in self.wants])
         self.technique = technique_for(recipe.dish_type, words(title), own, recorded)
         strewn = any(side.component.at == "before" for side in self.sides)  # then nothing else is strewn on it
         self.baked, self.parts = parts_of(own, recipe.dish_type, title, _named_twice(asked), self.known, strewn=strewn)
@@ -264,6 +267,7 @@ class _Question:
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
+        tree = with_unheeded(tree, self.asks, self.wants, self.known)
         result = self._result(fit, tree, dish_type)
         self._refuse_avoided(result)
         report = check(result.tree, free=self.kitchen.free_foods)
@@ -278,6 +282,7 @@ class _Question:
             folded=asked.told if asked.title else fit.dish.words,
             warms=can_be_warmed(self.methods.operators),
             technique=self.technique,
+            asks=self.asks,
             sides=self.sides,
         )  # fmt: skip
 

@@ -168,3 +168,14 @@ def _alike(one: str, other: str) -> bool:
 def names(foods: Iterable[str]) -> str:
     """Return names in a sentence, sorted, each once."""
     return ", ".join(sorted(set(foods)))
+
+
+def was_taken_out(case: Case, food: str) -> bool:
+    """Whether a food that nobody eats gave its taste to something before it was taken out of it again."""
+    given = word_list("is taken out of the dish")
+    if not word_list("is drunk").isdisjoint(case.dish_types):
+        given |= word_list("is taken out of what is drunk") | word_list("stays in a strainer")
+    if not case.tables.foods.food(food).is_a(*given):
+        return False
+    nodes = (node for happening in case.happenings for node in happening.outputs)
+    return any(len(node.ingredients) > 1 and food in map(singular, node.ingredients) for node in nodes)

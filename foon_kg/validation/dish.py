@@ -8,7 +8,8 @@ from foon_kg.food import Match, is_unbaked, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.model import ObjectNode
-from foon_kg.validation.case import Case, names
+from foon_kg.validation.case import Case, names, was_taken_out
+from foon_kg.validation.named import unheeded
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import of_world
 from foon_kg.world import Happening, Part, Vessel
@@ -29,6 +30,7 @@ def defined(case: Case) -> Iterator[Finding]:
         yield Finding("K5", "nothing becomes the dish", None, (case.goal,))
         return
     yield from _unfinished(case)
+    yield from unheeded(case)
     title = case.recipe.title or "" if case.recipe else ""
     for lack in missing(case, case.goal.label, *case.dish_types, title):
         yield Finding("K5", f"“{case.goal.label}” without {lack}", None, (case.goal,))
@@ -168,17 +170,6 @@ def _for_serving(case: Case) -> frozenset[str]:
 def _is_cooked_for_nothing(parts: Sequence[Part]) -> bool:
     """Whether all that there is of a food was heated, which needs no heat."""
     return all(part.heated is not None and {"boil", "cook"}.isdisjoint(part.food.owes) for part in parts)
-
-
-def was_taken_out(case: Case, food: str) -> bool:
-    """Whether a food that nobody eats gave its taste to something before it was taken out of it again."""
-    given = word_list("is taken out of the dish")
-    if not word_list("is drunk").isdisjoint(case.dish_types):
-        given |= word_list("is taken out of what is drunk") | word_list("stays in a strainer")
-    if not case.tables.foods.food(food).is_a(*given):
-        return False
-    nodes = (node for happening in case.happenings for node in happening.outputs)
-    return any(len(node.ingredients) > 1 and food in map(singular, node.ingredients) for node in nodes)
 
 
 def _parts_of(case: Case, food: str) -> list[Part]:

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from foon_kg.food import singular, words
 from foon_kg.food.told_states import in_turn
 from foon_kg.model import DISH_TYPES, ObjectNode
-from foon_kg.validation.case import Case
-from foon_kg.validation.dish import missing_namesakes, was_taken_out
+from foon_kg.validation.case import Case, was_taken_out
+from foon_kg.validation.dish import missing_namesakes
 from foon_kg.validation.report import Finding
 from foon_kg.world import Happening
 from foon_kg.world.reading import Said

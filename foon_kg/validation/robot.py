@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from foon_kg.validation.case import Case
+from foon_kg.validation.case import Case, was_taken_out
 from foon_kg.validation.report import Finding
 from foon_kg.world import Happening, Lump, Vessel
 
@@ -66,6 +66,7 @@ def _cut_for_nothing(case: Case) -> Iterator[Finding]:
             continue
         for lump in happening.treated:
             lost = [p for p in lump.parts if id(p) not in inside and (p.name, p.taken) not in origins and not p.remains]
+            lost = [part for part in lost if not was_taken_out(case, part.name)]
             if lost and not any(id(part) in inside for part in lump.parts):
                 reason = f"{lost[0].name} is prepared and is not in the dish"
                 yield Finding("W4", reason, happening.number, minor=True)

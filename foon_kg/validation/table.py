@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from foon_kg.food import Level
+from foon_kg.food import Level, singular
+from foon_kg.food.lists import word_list
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import of_world
@@ -56,6 +57,15 @@ def whole(case: Case) -> Iterator[Finding]:
             if treatment not in _WHOLE or level is Level.ADVICE or _is_done(part, treatment):
                 continue
             yield Finding("K2", f"{part.name} is in the dish {_WHOLE[treatment]}", minor=level is Level.MINOR)
+        if part.food.is_a(*word_list("is taken out of the dish")) and _is_left_in(case, part):
+            yield Finding("K2", f"{part.name} is in the dish, and nobody eats it", minor=True)
+
+
+def _is_left_in(case: Case, part: Part) -> bool:
+    """Whether what only gives its taste is still in the dish, by its name, and in one piece."""
+    told = {singular(food) for food in case.goal.ingredients} if case.goal is not None else set[str]()
+    plucked = not word_list("is plucked off its stem").isdisjoint(part.states)
+    return part.fine == 0 and not plucked and (part.name in told or not told)
 
 
 def _is_done(part: Part, treatment: str) -> bool:
@@ -82,6 +92,20 @@ def late(case: Case) -> Iterator[Finding]:
     yield from _cooked_too_much(case)
     for happening in case.happenings:
         yield from _peeled_hot(happening)
+        yield from _killed(case, happening)
+
+
+def _killed(case: Case, happening: Happening) -> Iterator[Finding]:
+    """Yield what makes dough rise where it is mixed with water that boiled and did not cool."""
+    if not happening.does("mix", "knead"):
+        return
+    boiling = word_list("is boiled water")
+    nodes = [mention.node for mention in happening.step.inputs if case.is_food(mention.node)]
+    hot = any(not boiling.isdisjoint(node.states) and "cooled" not in node.states for node in nodes)
+    for node in nodes if hot else ():
+        food = case.tables.foods.food(node.label, node.states)
+        if food.is_a(*word_list("makes dough rise")) and not food.is_a("flour"):
+            yield Finding("K3", f"{node.label} is killed by boiling water", happening.number, (node,))
 
 
 def _needs_heat(part: Part) -> bool:

@@ -422,7 +422,7 @@ def test_what_is_called_twice_baked_is_mashed_in_between():
     line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
     joins = joins_at(line, 0, "potato", "milk", "butter", "cheddar/shredded")
     assert told(*by_way(line, joins, "twice baked potato")) == [
-        ("bake", {"potato"}), ("mash", {"milk", "butter"}), ("bake", {"cheddar"}),
+        ("bake", {"potato"}), ("peel", set()), ("mash", {"milk", "butter"}), ("bake", {"cheddar"}),
     ]  # fmt: skip
 
 

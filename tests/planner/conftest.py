@@ -6,10 +6,18 @@ from collections.abc import Callable
 
 import pytest
 from planner.public_foon import public_snapshot
-from planner.told_steps import Told, planned_steps
+from planner.told_steps import Told, plans_of, steps_of
+
+from foon_kg.plans.result import PlanResult
 
 
 @pytest.fixture(scope="session")
-def steps() -> Callable[..., Told]:
+def public_plans() -> Callable[..., PlanResult]:
+    """Return a function that plans a dish from the public FOON."""
+    return plans_of(public_snapshot())
+
+
+@pytest.fixture(scope="session")
+def steps(public_plans: Callable[..., PlanResult]) -> Callable[..., Told]:
     """Return a function that plans a dish from the public FOON and returns its steps."""
-    return planned_steps(public_snapshot())
+    return steps_of(public_plans)

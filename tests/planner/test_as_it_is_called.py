@@ -200,3 +200,143 @@ def test_a_smoothie_is_blended_though_its_video_strains_it(steps):
     )
     assert "blend" in motions(told)
     assert told[-1][2][0].label == "drinking glass"
+
+
+# --- what the words of a title ask to be done ---
+
+CAKE = ("flour:powder", "sugar:granulated", "eggs:uncooked", "milk:liquid", "baking powder:powder", "salt:granulated")
+
+
+def test_what_is_called_upside_down_is_turned_over_when_it_is_done(steps):
+    told = steps("cake", "Pear Upside-Down Cake", "butter:melted", "brown sugar:granulated", "pears:sliced", *CAKE)
+    assert motions(told).index("bake") < motions(told).index("flip and place")
+
+
+def test_a_thumbprint_is_pressed_before_the_jam_and_the_oven(steps):
+    told = steps("cookie", "Jam Thumbprints", "butter:softened", "sugar:granulated", "egg:uncooked", "flour:powder",
+                 "apricot jam:jelly")  # fmt: skip
+    jam = next(place for place, (inputs, _, _) in enumerate(told) if "apricot jam" in inputs)
+    assert motions(told).index("press") < jam < motions(told).index("bake")
+
+
+def test_what_is_called_pulled_comes_in_shreds_out_of_the_pot(steps):
+    told = steps("chicken", "Pulled BBQ Chicken", "chicken breasts:raw", "barbecue sauce:thick liquid",
+                 "chicken broth:liquid")  # fmt: skip
+    assert motions(told).index("simmer") < motions(told).index("pull apart")
+    assert "shredded" in {state for node in told[motions(told).index("pull apart")][2] for state in node.states}
+
+
+def test_a_word_of_the_title_that_no_step_can_do_is_said(public_plans):
+    plan = public_plans("chicken", "Chicken Kebabs", "chicken breast:cubed", "olive oil:liquid", "oregano:dried")
+    (told,) = plan.assumptions
+    assert (told.node.label, "“kebab”" in told.why) == ("chicken breast", True)
+
+
+def test_a_food_that_is_asked_twice_is_two_portions_already(steps):
+    told = steps("cake", "Pear Upside-Down Cake", "butter:melted", "brown sugar:granulated", "pears:sliced",
+                 "butter:softened", *CAKE)  # fmt: skip
+    comes = [vessel for inputs, motion, _ in told for vessel in ("cake pan", "mixing bowl")
+             if motion in CARRIED and {vessel, "butter"} <= inputs]  # fmt: skip
+    assert sorted(comes) == ["cake pan", "mixing bowl"]
+    assert [motion for inputs, motion, _ in told if "shaker" in inputs] == ["sprinkle"]
+
+
+# --- what swells ---
+
+
+def test_grain_for_a_pudding_swells_in_its_milk(steps):
+    told = steps("pudding", "Rice Pudding", "white rice:uncooked", "milk:liquid", "sugar:granulated", "eggs:beaten")
+    assert not [inputs for inputs, _, _ in told if "strainer" in inputs or "water" in inputs]
+    assert first(told, "milk", "cook and stir") < next(n for n, one in enumerate(told) if {"eggs", "pot"} <= one[0])
+
+
+@pytest.mark.parametrize(
+    ("title", "pasta", "drained"),
+    [
+        ("One-Pot Beef Macaroni", "elbow macaroni", False),
+        ("Beef Macaroni", "elbow macaroni", True),
+        ("Beef Orzo", "orzo", False),
+    ],
+)
+def test_pasta_is_drained_unless_it_soaks_up_what_the_dish_is_made_of(steps, title, pasta, drained):
+    told = steps("pasta", title, "ground beef:raw", "onion:chopped", f"{pasta}:uncooked", "beef broth:liquid",
+                 "olive oil:liquid")  # fmt: skip
+    assert any({"strainer", pasta} <= inputs for inputs, _, _ in told) is drained
+
+
+def test_a_grain_that_thickens_a_filling_is_not_boiled(steps):
+    told = steps("pie", "Cherry Pie", "pie crust:unbaked", "cherries:pitted", "quick-cooking tapioca:uncooked",
+                 "sugar:granulated")  # fmt: skip
+    assert cooked(told, "quick-cooking tapioca") == []
+
+
+# --- what is drunk ---
+
+
+def test_iced_tea_is_drawn_and_cooled_before_it_is_poured_on_ice_out_of_a_bag(steps):
+    told = steps("drinks", "Peach Iced Tea", "water:liquid", "tea bags:dried", "peaches:sliced", "ice cubes:frozen",
+                 "sugar:granulated")  # fmt: skip
+    ice = next(place for place, (inputs, _, _) in enumerate(told) if {"ice cubes", "bag"} <= inputs)
+    assert first(told, "tea bags", "cook") < motions(told).index("cool down") < ice
+
+
+def test_slices_and_spices_stay_in_a_strainer_when_a_hot_drink_is_poured(steps):
+    told = steps("drinks", "Mulled Cider", "apple cider:liquid", "orange:sliced", "cinnamon sticks:whole",
+                 "ginger:sliced", "brown sugar:granulated")  # fmt: skip
+    (left,) = [{node.label for node in outputs} for _, motion, outputs in told if motion == "pour and strain"]
+    assert {"orange", "cinnamon sticks", "ginger"} <= left
+
+
+def test_pulled_flesh_for_a_roll_is_stewed_whole_and_pulled_before_it_lies_there(steps):
+    told = steps("sandwich", "Pulled Pork Sandwiches", "pork shoulder:raw", "barbecue sauce:thick liquid",
+                 "buns:whole", "coleslaw:whole")  # fmt: skip
+    assert first(told, "pork shoulder", "simmer") < motions(told).index("pull apart") < first(told, "coleslaw", "pour")
+    assert not [motion for inputs, motion, _ in told if motion in {"chop", "cut"} and "pork shoulder" in inputs]
+
+
+# --- flour and grain ---
+
+
+def test_meal_for_a_pizza_comes_under_its_dough(steps):
+    told = steps("pizza", "Cheese Pizza", "pizza dough:whole", "cornmeal:ground", "tomato sauce:sauce",
+                 "mozzarella:shredded")  # fmt: skip
+    dough = next(place for place, (inputs, _, _) in enumerate(told) if {"pizza dough", "pizza pan"} <= inputs)
+    assert comes(told, "cornmeal", "pizza pan") < dough
+
+
+def test_boiling_water_soaks_oats_and_cools_before_it_meets_yeast(steps):
+    told = steps("bread", "Oatmeal Bread", "oats:rolled", "water:boiling", "yeast:powder", "water:warm",
+                 "salt:granulated", "honey:thick liquid", "flour:powder")  # fmt: skip
+    assert first(told, "oats", "stir") < motions(told).index("cool down") < motions(told).index("knead")
+
+
+def test_tortillas_and_what_is_fried_lie_in_layers_though_no_video_makes_a_casserole(steps):
+    told = steps("casserole", "King Ranch Casserole", "butter:unmelted", "onion:chopped",
+                 "cream of chicken soup:canned", "cooked chicken:shredded", "corn tortillas:cut",
+                 "cheddar:shredded")  # fmt: skip
+    laid = [place for place, (inputs, _, _) in enumerate(told) if {"corn tortillas", "baking dish"} <= inputs]
+    soup = next(place for place, (inputs, _, _) in enumerate(told) if "cream of chicken soup" in inputs)
+    assert soup < laid[0] < laid[1] < first(told, "corn tortillas", "bake")
+
+
+def test_what_is_made_for_many_is_served_in_a_jug(steps):
+    told = steps("drinks", "Lemonade", "lemons:juiced", "sugar:granulated", "water:cold", "ice cubes:frozen")
+    assert "pitcher" in told[-1][0]
+
+
+def test_potatoes_baked_twice_are_peeled_before_they_are_mashed(steps):
+    told = steps("potatoes", "Twice-Baked Potatoes", "russet potatoes:whole", "sour cream:creamy", "cheddar:shredded")
+    assert first(told, "russet potatoes", "peel") < first(told, "russet potatoes", "mash")
+    assert motions(told).count("bake") == 2
+
+
+def test_what_a_title_calls_boiled_is_boiled(steps):
+    told = steps("vegetables", "Boiled Corn", "corn:whole", "butter:unmelted", "salt:granulated")
+    assert first(told, "corn", "boil") < motions(told).index("melt")
+
+
+def test_cheese_comes_over_the_sauce_that_it_browns_on(steps):
+    told = steps("pasta", "Stuffed Shells", "jumbo shells:uncooked", "ricotta:creamy", "mozzarella:shredded",
+                 "marinara sauce:thick liquid")  # fmt: skip
+    comes_at = [comes(told, food, "baking dish") for food in ("marinara sauce", "jumbo shells", "mozzarella")]
+    assert comes_at == sorted(comes_at)

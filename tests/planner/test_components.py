@@ -144,3 +144,25 @@ def test_done_grain_and_toasted_nuts_join_what_simmers_last(steps):
     )  # fmt: skip
     places = [place for place, (inputs, motion, _) in enumerate(told) if motion == "simmer"]
     assert places[0] < next(p for p, (inputs, one, _) in enumerate(told) if "almond" in inputs and "pot" in inputs)
+
+
+def test_flesh_in_shreds_is_shaped_for_a_burger_and_a_gravy_is_made_by_itself(steps):
+    told = steps(
+        "burger", "Salmon Burgers", "salmon:flaked", "breadcrumb:crumbs", "egg:beaten",
+        "hamburger bun:plain", "oil:liquid",
+    )  # fmt: skip
+    assert {"salmon", "breadcrumb", "egg"} <= inside(told, "mix")
+    assert "shape" in motions(told)
+    told = steps(
+        "steak", "Country Fried Steak", "steak:raw", "flour:powder", "egg:beaten", "oil:liquid", "flour:powder:gravy",
+        "milk:liquid:gravy", "black pepper:ground:gravy",
+    )  # fmt: skip
+    assert inside(told, "cook and stir") == {"flour", "milk", "black pepper"}
+
+
+def test_a_pot_roast_is_braised_with_all_that_is_around_it(steps):
+    told = steps(
+        "roast", "Pot Roast", "chuck roast:raw", "oil:liquid", "onion:quartered", "carrot:cut", "potato:quartered",
+        "beef broth:liquid", "bay leaf:dried",
+    )  # fmt: skip
+    assert {"chuck roast", "onion", "carrot", "potato", "beef broth"} <= inside(told, "simmer")

@@ -7,25 +7,37 @@ from collections.abc import Callable
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
 from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.result import PlanResult
 from foon_kg.store.snapshot import Snapshot
 
 Told = list[tuple[set[str], str, tuple[ObjectNode, ...]]]
 
 
-def planned_steps(snapshot: Snapshot) -> Callable[..., Told]:
-    """Return a function that plans a dish and returns its steps: the labels that go in, the motion, what comes out.
-
-    A food is asked as ``food:state``, or ``food:state:part``.
-    """
+def plans_of(snapshot: Snapshot) -> Callable[..., PlanResult]:
+    """Return a function that plans a dish: its type, its title, its foods as ``food:state``, or ``food:state:part``."""
     planner = Planner(snapshot, PlanSettings(snapshot.kitchen, time_limit=None), snapshot.units)
 
-    def plan(dish_type: str, title: str, *asked: str) -> Told:
+    def plan(dish_type: str, title: str, *asked: str) -> PlanResult:
         told = (one.split(":") for one in asked)
         foods = tuple(RequiredIngredient(food, state, part="".join(part)) for food, state, *part in told)
-        units = planner.plan(Recipe(dish_type, foods, "x", title)).units
-        return [({n.label for n in one.input_nodes}, one.motion, one.output_nodes) for one in units]
+        return planner.plan(Recipe(dish_type, foods, "x", title))
 
     return plan
+
+
+def planned_steps(snapshot: Snapshot) -> Callable[..., Told]:
+    """Return a function that plans a dish and returns its steps: the labels that go in, the motion, what comes out."""
+    return steps_of(plans_of(snapshot))
+
+
+def steps_of(plan: Callable[..., PlanResult]) -> Callable[..., Told]:
+    """Return a function that returns the steps of what ``plan`` plans."""
+
+    def steps(dish_type: str, title: str, *asked: str) -> Told:
+        units = plan(dish_type, title, *asked).units
+        return [({n.label for n in one.input_nodes}, one.motion, one.output_nodes) for one in units]
+
+    return steps
 
 
 def motions(told: Told) -> list[str]:

@@ -264,6 +264,19 @@ def test_k5_findings_are_fatal():
     assert (judged.fatal.count("K5"), judged.cook, judged.robot) == (1, False, True)
 
 
+def turned_over(said, motion):
+    """A cake that is called so, baked, and then brought or turned onto a plate."""
+    told = recipe("cake", "flour; pineapple", f"Pineapple {said} Cake") + in_oven("cake", "flour", "pineapple")
+    inputs, outputs = ("cake ({flour, pineapple}; " + where for where in ("on tray)", "on plate)"))
+    return f"{told}{inputs} + plate (empty) → {motion} → {outputs} + plate ({{cake}})"
+
+
+def test_k5_a_step_does_what_the_title_names():
+    assert any("“upside down”" in line for line in found("K5", turned_over("Upside-Down", "PICK-AND-PLACE")))
+    assert found("K5", turned_over("Upside-Down", "FLIP AND PLACE")) == []
+    assert found("K5", turned_over("Plain", "PICK-AND-PLACE")) == []
+
+
 # --- K6 asked ---
 
 
@@ -277,6 +290,13 @@ soup (cooked; {bay leaf, leek, water}; in pot) + pot (hot; {soup}; on stove) + p
     asked = recipe("soup", "leek; bay leaf; water")
     assert found("K6", asked + heated("soup", "leek", "bay leaf", "water", motion="SIMMER") + out) == []
     assert len(found("K6", asked + heated("soup", "leek", "water", motion="SIMMER"))) == 1
+
+
+def test_k2_what_only_gave_its_taste_is_taken_out_before_the_dish_is_served():
+    left = "K2 (minor): bay leaf is in the dish, and nobody eats it"
+    assert found("K2", heated("soup", "bay leaf", "water")) == [left]
+    lifted = "soup ({bay leaf, water}; in pot) + plate (empty) → REMOVE → soup ({water}; in pot) + bay leaf (on plate)"
+    assert found("K2", heated("soup", "bay leaf", "water") + lifted) == []
 
 
 def test_k6_an_asked_food_is_in_the_dish():

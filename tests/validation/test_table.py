@@ -439,3 +439,25 @@ def test_k4_a_motion_that_gives_the_state_it_claims(motion, ends):
         f"carrot (whole) + grater + plate (empty) → {motion.upper()} → carrot ({ends}; on plate) + plate ({{carrot}})"
     )
     assert found("K4", step) == []
+
+
+# --- K3: what makes dough rise ---
+
+
+@pytest.mark.parametrize(("cooling", "dead"), [("", True), ("COOL", False)])
+def test_k3_boiling_water_kills_yeast(cooling, dead):
+    states = "boiling, cooled" if cooling else "boiling"
+    cooled = f"water (boiling; in pot) + pot (hot; {{water}}) → {cooling} → water ({states}; in pot) + pot ({{water}})"
+    tree = lines(
+        "water (liquid; in bottle) + pot (empty) → POUR → water (liquid; in pot) + pot ({water})",
+        "pot ({water}) + stove (off) → PUT → pot ({water}; on stove) + stove (off)",
+        "stove (off) → TURN ON → stove (on)",
+        "water (liquid; in pot) + pot ({water}; on stove) + stove (on) → BOIL "
+        "→ water (boiling; in pot) + pot (hot; {water})",
+        cooled if cooling else "stove (on) → TURN OFF → stove (off)",
+        "yeast (powder; in packet) + bowl (empty) → POUR → yeast (powder; in bowl) + bowl ({yeast})",
+        f"water ({states}; in pot) + bowl ({{yeast}}) → POUR → water ({states}; in bowl) + bowl ({{water, yeast}})",
+        f"water ({states}; in bowl) + yeast (powder; in bowl) + bowl ({{water, yeast}}) + spoon → MIX "
+        "→ mixture (mixed; {water, yeast}; in bowl) + bowl ({mixture})",
+    )
+    assert bool([line for line in found("K3", tree) if "is killed by boiling water" in line]) is dead

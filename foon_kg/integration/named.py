@@ -1,0 +1,159 @@
+"""What a title asks to be done, put where no stage of a dish does it: a cake upside down is turned over at last."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import fields, replace
+
+from foon_kg.food import Tables
+from foon_kg.food.named import Named
+from foon_kg.food.techniques import Foods
+from foon_kg.integration.course import HEATS, WORKS
+from foon_kg.integration.final_tree import FinalTree
+from foon_kg.integration.frames import Asked, Line, Stage
+from foon_kg.integration.preparation import Want
+from foon_kg.integration.spots import Join, only_carries, spots_of
+from foon_kg.integration.techniques import stage_of
+from foon_kg.model.claims import Assumption
+from foon_kg.model.tree import TreeUnit
+
+
+def as_named(line: Line, joins: Sequence[Join], asked: Iterable[Named], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made that does all that its title asks for, where a stage of the table does that."""
+    joins = tuple(joins)
+    for one in asked:
+        if one.stage and not _is_done(one, joins, known):
+            line, joins = _PUT[one.at](line, joins, one)
+    return line, joins
+
+
+def _is_done(one: Named, joins: Sequence[Join], known: Tables) -> bool:
+    """Whether a stage does it to one of the foods that it is for, before or after that is heated."""
+    for join in joins:
+        stages = (join.spot.stage, *join.spot.after)
+        hot = [place for place, stage in enumerate(stages) if not stage.does.isdisjoint(HEATS)]
+        works = [(place, stage.motion) for place, stage in enumerate(stages) if stage.motion]
+        found = [place for place, motion in works if one.is_done_by(motion, known.motion(motion))]
+        if one.is_of(join.want.label, join.want.facts) and len(one.in_time(found, hot)) >= one.times:
+            return True
+    return False
+
+
+def _before(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tuple[Join, ...]]:
+    """Let the stage come before the oven, in what the dish is baked in; what fills it joins in between."""
+    place = next((n for n, stage in enumerate(line.stages) if "dry" in stage.does), None)
+    if place is None:
+        return line, joins
+    bake = line.stages[place]
+    extra = replace(_stage(one), adds=bake.adds, vessel=bake.vessel, relation=bake.relation)
+    bare = replace(bake, adds=())
+    new = Line((*line.stages[:place], extra, bare, *line.stages[place + 1 :]))
+    fills = [join for join in joins if any(some.mean(join.want.label, join.want.facts, ()) for some in one.fills)]
+    there: dict[int, Stage] = {join.want.number: bare for join in fills}
+    there |= {join.want.number: extra for join in joins if join.spot.stage is bake and join not in fills}
+    return new, _at(new, joins, there, {})
+
+
+def _done(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tuple[Join, ...]]:
+    """Let the stage come when what it is done to was heated for the last time, and cooled if it is."""
+    meant = next((join for join in joins if one.is_of(join.want.label, join.want.facts)), None)
+    own = _line_with(line, meant.spot.stage) if one.of and meant is not None else line
+    places = [n for n, stage in enumerate(own.stages) if not stage.does.isdisjoint(HEATS)]
+    if not places:
+        return line, joins
+    place = places[-1] + 1
+    while place < len(own.stages) and "wait" in own.stages[place].does and own.stages[place].source != "cold":
+        place += 1
+    taken = {id(join.spot.stage) for join in joins}
+    rest = own.stages[place:]
+    carried = not any(id(stage) in taken or stage.adds or not only_carries(stage) for stage in rest)
+    became: dict[int, Stage] = {}
+    new = Line((*own.stages[:place], _stage(one), *(() if carried else rest)))
+    new = _replaced(line, own, new, became)
+    return new, _at(new, joins, {}, became)
+
+
+def _last(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tuple[Join, ...]]:
+    """Let the stage come last of all that is done to the dish; what only lies on it joins after that."""
+    place = len(line.stages)
+    while place and line.stages[place - 1].does.isdisjoint(WORKS):
+        place -= 1
+    new = Line((*line.stages[:place], _stage(one), *line.stages[place:]))
+    return new, _at(new, joins, {}, {})
+
+
+_PUT = {"before": _before, "done": _done, "last": _last}
+
+
+def _stage(one: Named) -> Asked:
+    stage = stage_of(one.stage)
+    return Asked(**{field.name: getattr(stage, field.name) for field in fields(stage)})
+
+
+def _line_with(line: Line, meant: Stage) -> Line:
+    """Return the line, or one that joins it, of which a stage is one."""
+    if any(stage is meant for stage in line.stages):
+        return line
+    lines = [add for stage in line.stages for add in stage.adds if isinstance(add, Line)]
+    return next((_line_with(one, meant) for one in lines if meant in one.all_stages()), line)
+
+
+def _replaced(line: Line, old: Line, new: Line, became: dict[int, Stage]) -> Line:
+    """Return a line with one of its lines replaced; ``became`` gets, by identity, what its own stages are then."""
+    if line is old:
+        return new
+    stages = []
+    for stage in line.stages:
+        adds = tuple(_replaced(add, old, new, became) if isinstance(add, Line) else add for add in stage.adds)
+        if any(add is not before for add, before in zip(adds, stage.adds, strict=True)):
+            became[id(stage)] = replace(stage, adds=adds)
+        stages.append(became.get(id(stage), stage))
+    changed = any(stage is not before for stage, before in zip(stages, line.stages, strict=True))
+    return Line(tuple(stages)) if changed else line
+
+
+def _at(line: Line, joins: Sequence[Join], there: Mapping[int, Stage], became: Mapping[int, Stage]) -> tuple[Join, ...]:
+    """Return joins with what comes after them in a changed line; those that are named in ``there`` at its stages."""
+    spots = {id(spot.stage): spot for spot in spots_of(line)}
+    found = []
+    for join in joins:
+        stage = there.get(join.want.number) or became.get(id(join.spot.stage), join.spot.stage)
+        spot = spots[id(stage)]
+        found.append(replace(join, spot=spot, slot=join.slot if join.slot in spot.stage.adds else None))
+    return tuple(found)
+
+
+def with_unheeded(
+    tree: FinalTree, asked: Iterable[tuple[Named, str]], wants: Sequence[Want], known: Tables
+) -> FinalTree:
+    """Return a tree that says of each word of its title if no step does what that asks for."""
+    told = []
+    for one, said in asked:
+        names = _first_meant(one, wants)
+        leaf = next((node for name in names for node in tree.kitchen if node.label == name), None)
+        if leaf is not None and not _is_done_in(one, tree.units, known):
+            told.append(Assumption(leaf, f"the title says “{said}”, and no step of this FOON does it to such a dish"))
+    return replace(tree, assumptions=(*tree.assumptions, *told)) if told else tree
+
+
+def _first_meant(one: Named, wants: Sequence[Want]) -> Iterator[str]:
+    """Yield the asked foods that it is done to: what the table names first comes first."""
+    for foods in one.of or (Foods(("*",)),):
+        yield from (want.label for want in wants if foods.mean(want.label, want.facts, ()))
+
+
+def _is_for(one: Named, names: Iterable[str], known: Tables) -> bool:
+    """Whether one of these names is that of a food that it is done to."""
+    return any(known.utensil(name) is None and one.is_of(name, known.foods.food(name)) for name in names)
+
+
+def _is_done_in(one: Named, units: Sequence[TreeUnit], known: Tables) -> bool:
+    """Whether steps of a tree do it to what it is for, as often as that is asked, before or after it is heated."""
+    hot, found = [], []
+    for number, unit in enumerate(units):
+        names = {name for node in unit.input_nodes for name in (node.label, *node.ingredients)}
+        if _is_for(one, names, known):
+            row = known.motion(unit.step.motion)
+            hot += [number] if "heat" in row.does else []
+            found += [number] if one.is_done_by(unit.step.motion, row) else []
+    return len(one.in_time(found, hot)) >= one.times

@@ -1,0 +1,34 @@
+"""Whether a step does what the title of a recipe names (docs/contract.md, K5)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from foon_kg.food.named import Named, named_by
+from foon_kg.validation.case import Case
+from foon_kg.validation.report import Finding
+from foon_kg.world import Happening, Part
+
+
+def unheeded(case: Case) -> Iterator[Finding]:
+    """Yield a finding for each word of the title that names what no step does; minor where the tree says so itself."""
+    if case.recipe is None or not case.recipe.title or case.goal is None:
+        return
+    foods = [(wanted.object, case.tables.foods.food(wanted.object, (wanted.state,))) for wanted in case.required]
+    for one, said in named_by(case.recipe.title, case.recipe.dish_type, foods):
+        if not any(_is_done_to(case, one, part) for part in case.parts if one.is_of(part.name, part.food)):
+            told = any(f"“{said}”" in entry.why for entry in case.tree.assumptions or ())
+            yield Finding("K5", f"the title says “{said}”, and no step does it", None, (case.goal,), minor=told)
+
+
+def _is_done_to(case: Case, one: Named, part: Part) -> bool:
+    """Whether a part of the dish was treated so, as often as it is asked, before or after it was heated."""
+    done = [happening for happening in case.happenings if _treats(happening, part)]
+    hot = [happening.number for happening in done if happening.does("heat")]
+    found = [happening.number for happening in done if one.is_done_by(happening.step.motion, happening.motion)]
+    return len(one.in_time(found, hot)) >= one.times
+
+
+def _treats(happening: Happening, part: Part) -> bool:
+    lumps = (*happening.treated, *(lump for vessel in happening.heated for lump in vessel.lumps))
+    return any(part.origin == other.origin for lump in lumps for other in lump.parts)
