@@ -1,14 +1,17 @@
 """How many plans a second foon serve answers, and how long each takes: new questions, and questions asked before.
 
     python benchmarks/serve.py [--files FOLDER] [--recipes PATH ...] [--every N] [--jobs N] [--clients N] [--again N]
-                               [--writing SECONDS] [--idle SECONDS]
+                               [--writing SECONDS] [--idle SECONDS] [--arriving N ...]
 
 Starts foon serve on a free port with its own limits (but a rate that this one address may reach) and asks for every
 N-th recipe beside the checkout over ``--clients`` kept connections, from a process of its own: once each; then
 ``--again`` times in all once more; then as often with what an earlier answer was marked by (``If-None-Match``).
 Printed for each: questions, plans a second, median and 95 % time in ms, CPU ms a question of the processes that plan
 and of the one that serves, statuses. The first line is what planning costs; the others what equal questions cost, which
-are kept. CPU says on a busy machine what the seconds do not. With ``--writing`` the FOON is that of Neo4j (NEO4J_URI,
+are kept. CPU says on a busy machine what the seconds do not. 32 callers who each ask again at once wait for each other:
+with ``--arriving`` the new questions come, instead, so many a second, whoever still waits, and each is timed from the
+moment at which it should have been asked; a service begun anew for each of the rates has nothing kept. With
+``--writing`` the FOON is that of Neo4j (NEO4J_URI,
 else the local server, whose FOON is replaced by that of ``--files``), and a process of its own takes a video out and
 brings it back, a change every so many seconds; how many changes there were while each line was measured is told.
 ``--idle`` waits so long before the first question: processes that nobody asks plan recorded dishes meanwhile.
@@ -61,6 +64,7 @@ def main() -> None:
     parser.add_argument("--clients", type=int, default=32)
     parser.add_argument("--again", type=int, default=5000)
     parser.add_argument("--writing", type=float)
+    parser.add_argument("--arriving", type=float, nargs="*", default=[])
     parser.add_argument("--idle", type=float, default=0.0)
     options = parser.parse_args()
     read = read_paths([options.files])
@@ -74,6 +78,10 @@ def main() -> None:
             load(connection, snapshot.subgraphs)
         foon = LiveFoon(lambda: Foon(server=settings))
     questions = questions_of(snapshot, list(recipe_files(options.recipes))[:: options.every])
+    for rate in options.arriving:
+        arriving(snapshot, questions, options, rate)
+    if options.arriving:
+        return
     service = FoonService(foon, processes=options.jobs, most=LIMITS.waiting)
     server = uvicorn.Server(
         uvicorn.Config(web_app(service, names={"127.0.0.1"}, limits=LIMITS), port=0, log_level="error")
@@ -105,6 +113,48 @@ def main() -> None:
             writer.kill()
         server.should_exit = True
         thread.join()
+
+
+def arriving(snapshot: Snapshot, questions: list[Asked], options: argparse.Namespace, rate: float) -> None:
+    """Ask a service of its own the questions, ``rate`` a second, and print how long each took."""
+    service = FoonService(FixedFoon(snapshot), processes=options.jobs, most=10_000)
+    server = uvicorn.Server(
+        uvicorn.Config(web_app(service, names={"127.0.0.1"}, limits=LIMITS), port=0, log_level="error")
+    )
+    thread = threading.Thread(target=server.run)
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as asking:
+        thread.start()
+        while not server.started:
+            time.sleep(0.05)
+        port = server.servers[0].sockets[0].getsockname()[1]
+        begun = [("", [f"chopped onion{' ' * n}", "egg"]) for n in range(2 * options.jobs)]
+        asking.submit(ask_all, port, begun, options.clients, marked=False).result()
+        before, started = cpu_seconds(), time.perf_counter()
+        answers = asking.submit(ask_as_they_come, port, questions, rate, options.clients).result()
+        spent = [after - then for after, then in zip(cpu_seconds(), before, strict=True)]
+        show(f"{rate:g} a second", Measured(time.perf_counter() - started, *spent, answers))
+        server.should_exit = True
+        thread.join()
+
+
+def ask_as_they_come(port: int, questions: list[Asked], rate: float, clients: int) -> list[tuple[int, float]]:
+    """Ask the questions at their times, ``rate`` a second, over as many connections as that takes."""
+    begun = time.perf_counter() + 0.5
+    local = threading.local()
+
+    def ask(number: int) -> tuple[int, float]:
+        due = begun + number / rate
+        time.sleep(max(0.0, due - time.perf_counter()))
+        if not hasattr(local, "line"):
+            local.line = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
+        body = json.dumps({"dish_type": questions[number][0], "ingredients": questions[number][1]})
+        local.line.request("POST", "/api/plan", body, {"Content-Type": "application/json"})
+        answer = local.line.getresponse()
+        answer.read()
+        return answer.status, time.perf_counter() - due
+
+    with ThreadPoolExecutor(max(clients, 64)) as pool:  # a thread that sleeps is one that does not wait in line
+        return list(pool.map(ask, range(len(questions))))
 
 
 def write_on(folder: Path, seconds: float, changes: Synchronized) -> None:  # type: ignore[type-arg]

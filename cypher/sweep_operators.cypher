@@ -1,11 +1,16 @@
-// Takes away the operators that no unit attests any more, and the matters, posts and utensils that nothing speaks of.
+// Takes away the operators that no unit attests any more, and what nothing speaks of: of the foods those that are named, all
+// kinds, forms, posts and utensils, and the matter that stands for anything.
+// param: foods LIST<STRING>
 // mode: write
-// scans: all of them are few beside units
+// scans: all but foods are few
 CALL () {
   MATCH (o:Operator) WHERE NOT EXISTS { (o)-[:ATTESTED_BY]->() } DETACH DELETE o
 }
 CALL () {
-  MATCH (m:Matter) WHERE NOT EXISTS { (m)--() } DELETE m
+  UNWIND $foods AS food
+  MATCH (m:Matter {name: food}) WHERE NOT EXISTS { (m)--() } DELETE m
+  UNION ALL
+  MATCH (m:Kind|Form) WHERE NOT EXISTS { (m)--() } DELETE m
   UNION ALL
   MATCH (p:Post) WHERE NOT EXISTS { (p)--() } DELETE p
   UNION ALL

@@ -1,4 +1,4 @@
-// Takes units away, and the object nodes that no other unit has.
+// Takes units away, and the object nodes that no other unit has, with the reference trees that are kept for them.
 // param: keys LIST<STRING>
 // mode: write
 UNWIND $keys AS key
@@ -12,4 +12,8 @@ CALL (motions) {
 UNWIND objects AS o
 WITH o
 WHERE NOT EXISTS { (o)-[:INPUT_OF|OUTPUTS]-() }
+CALL (o) {
+  MATCH (o)<-[:ANSWERS]-(p:Plan)
+  DETACH DELETE p
+}
 DETACH DELETE o

@@ -17,7 +17,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from foon_kg.foon.answering import Answering
+from foon_kg.foon.answering import WHOLE, Answering
 from foon_kg.foon.opened import Paths
 from foon_kg.model.errors import UsageError
 
@@ -144,7 +144,7 @@ class Foon(Answering):
         if found is not None:
             return found
         with self.reading() as view:
-            return in_view(view, foods, limit, role, vectors)
+            return in_view(view, foods, limit, role, vectors, whole=not self.is_larger_than(WHOLE))
 
     def why_similar(self, food: str, other: str, *, vectors: str | None = None) -> tuple[str, ...]:
         """Return what speaks for one food to stand for another, in words, the weightiest first; see :meth:`similar`.
@@ -239,11 +239,12 @@ class Foon(Answering):
         from foon_kg.plans.kitchen import Kitchen
         from foon_kg.plans.stock import StockedKitchen
 
-        words = self.words()
+        texts = tuple(foods)
+        words = self._words_for(texts) if file is None else self.words()
         everything = ReadKitchen(StockedKitchen.of(Kitchen.default(), ()), ())
         read = everything if file is None else read_kitchen(Path(file), words)
         reader = ThingReader(words)
-        beside = [reader.read(Entry(f"“{text}”", text)) for text in foods]
+        beside = [reader.read(Entry(f"“{text}”", text)) for text in texts]
         notes = (note for _, said in beside for note in said)
         return ReadKitchen(read.kitchen.with_things([thing for thing, _ in beside]), (*read.notes, *notes))
 
@@ -258,6 +259,16 @@ class Foon(Answering):
 
         with self.reading() as view:
             return IngredientWords(view.vocabulary(), Kitchen.default())
+
+    def _words_for(self, texts: Sequence[str]) -> IngredientWords:
+        """Return the words in which ``texts`` are read: of a very large FOON no others."""
+        if not self.is_larger_than(WHOLE):
+            return self.words()
+        from foon_kg.planning.recipes import IngredientWords, names_in
+        from foon_kg.plans.kitchen import Kitchen
+
+        with self.reading() as view:
+            return IngredientWords(view.words_for((), names_in(texts)), Kitchen.default())
 
     def suggest(self, foods: Iterable[str], most: int = 5) -> tuple[Suggestion, ...]:
         """Return what can be made of ``foods``, the best first; utensils among them are then the only ones.

@@ -120,11 +120,7 @@ class Answering(Changing):
 
         What drafts teach is read with the whole.
         """
-        if self._snapshot is not None or settings.with_drafts:
-            return False
-        from foon_kg.store.graph.counting import unit_count
-
-        return unit_count(self._connection) > WHOLE
+        return not settings.with_drafts and self.is_larger_than(WHOLE)
 
     @contextmanager
     def _in_parts(self, questions: Iterable[Question], settings: PlanSettings, jobs: int) -> Iterator[Iterable[Answer]]:

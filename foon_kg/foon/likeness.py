@@ -13,6 +13,9 @@ if TYPE_CHECKING:  # a question imports what it needs
     from foon_kg.store.graph.connection import Connection
     from foon_kg.store.snapshot import Snapshot
 
+_MOST_LIKE = 200
+"""Of a very large FOON so many foods are looked at for a role that are like the asked one."""
+
 Nearest = Sequence[tuple[Neighbour, ...]]
 
 
@@ -25,19 +28,32 @@ def by_points(connection: Connection, foods: Sequence[str], limit: int) -> Neare
 
 
 def in_view(
-    view: Snapshot | GraphView, foods: Sequence[str], limit: int, role: str | None, vectors: str | None
+    view: Snapshot | GraphView, foods: Sequence[str], limit: int, role: str | None, vectors: str | None, *, whole: bool
 ) -> Nearest:
-    """Return the nearest of all foods that a FOON knows: in a role, by the vectors of a name, or as they are."""
+    """Return the nearest of all foods that a FOON knows: in a role, by the vectors of a name, or as they are.
+
+    Unless its ``whole`` vocabulary may be read, those that play a role are sought among the foods that the table of
+    foods names and those that are most like ``foods``.
+    """
     if role is not None:
         from foon_kg.similarity.in_role import in_role
 
-        labels = view.vocabulary().labels
+        labels = view.vocabulary().labels if whole else _likely_in_role(view, foods, role)
         return tuple(in_role(name, labels, role, limit) for name in foods)
     if vectors is None:
         return view.equivalents(foods, limit=limit)
     from foon_kg.similarity.answers import nearest_of_each
 
     return nearest_of_each(named_similarity(vectors), foods, view.vocabulary().labels, limit)
+
+
+def _likely_in_role(view: Snapshot | GraphView, foods: Sequence[str], role: str) -> list[str]:
+    from foon_kg.food import tables
+    from foon_kg.similarity.roles import roles_of
+
+    listed = {name for name in tables().foods.kind_of if role in roles_of(name)}
+    like = {near.name for found in view.equivalents(foods, limit=_MOST_LIKE) for near in found}
+    return view.words_named({*listed, *like, *foods}).labels
 
 
 def named_similarity(vectors: str | None) -> Similarity:

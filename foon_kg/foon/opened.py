@@ -148,6 +148,18 @@ class Opened:
         with self._graph.reading() as view:
             yield view
 
+    @contextmanager
+    def reading_graph(self) -> Iterator[GraphView]:
+        """Open the graph that the FOON is in for reading. Raises ``UsageError`` for a FOON in files.
+
+        >>> with foon.reading_graph():
+        ...     pass
+        Traceback (most recent call last):
+        foon_kg.model.errors.UsageError: a FOON in files has no Neo4j to read
+        """
+        with self._graph.reading() as view:
+            yield view
+
     def of_one_state(self, ask: Callable[[Snapshot | GraphView], Found]) -> Found:
         """Return what ``ask`` finds, asked anew where somebody wrote to the FOON meanwhile.
 
@@ -211,6 +223,27 @@ class Opened:
             return tuple(self._lessons)
         with self._graph.reading() as view:
             return view.lessons()
+
+    def is_larger_than(self, units: int) -> bool:
+        """Whether the FOON is in a graph that has more than so many ``units``; files are in memory, of any size.
+
+        >>> foon.is_larger_than(10)
+        False
+        """
+        if self._snapshot is not None:
+            return False
+        from foon_kg.store.graph.counting import unit_count
+
+        return unit_count(self._connection) > units
+
+    @property
+    def server(self) -> ConnectionSettings:
+        """The Neo4j that holds the FOON. Raises ``UsageError`` for one in files.
+
+        >>> Foon.connect("bolt://localhost:7687", password="secret").server.uri
+        'bolt://localhost:7687'
+        """
+        return self._needs_server("to ask")
 
     def edition(self) -> str | None:
         """Return the name of what the graph holds now: another one has other content. ``None`` where it tells none.

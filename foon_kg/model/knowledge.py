@@ -175,6 +175,10 @@ class KnowledgeView(Protocol):
         """
         ...
 
+    def words_named(self, names: Collection[str]) -> Vocabulary:
+        """Return what is known of the foods with just these ``names``; it may be more, up to the whole vocabulary."""
+        ...
+
     def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
         """Return the goals of ``dish_type`` (of every type for ``None``), sorted by node."""
         ...

@@ -147,11 +147,11 @@ class Cook:
     def get_ready(self) -> None:
         """Work out what all questions need and the first would wait for: words, operators and frames of the FOON.
 
-        A view that is asked for parts has nothing that suits all questions.
+        Of a view that is asked for parts it is what no other question asks again: the outlines of its dishes.
         """
         if not self.asks_for_parts:
             _ = self._all_words
-            self.planner.teaching_for((), "")
+        self.planner.teaching_for((), "")
 
     def words_for(self, question: Question) -> IngredientWords:
         """Return the words in which ``question`` is read."""

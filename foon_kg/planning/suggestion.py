@@ -23,6 +23,9 @@ from foon_kg.search import SearchProblem, UnitIndex, retrieve
 from foon_kg.search.gaps import ABSENT, gap_cost, mixtures
 from foon_kg.similarity import Similarity, food_similarity
 
+MOST_CONSIDERED = 2_000
+"""Of a FOON with more goals so many are looked at: those with most foods that are like the foods at hand."""
+
 LEAST_PROVEN = 10
 """So many of the cheaply ranked goals are proven at least; twice as many as are asked for, where that is more."""
 
@@ -110,14 +113,15 @@ def suggest(
     :class:`~foon_kg.model.errors.UsageError` where the kitchen names no food, and
     :class:`~foon_kg.model.errors.NoTreeError` where no goal of the FOON takes any of them.
     """
-    goals = view.goals()
-    mixed = mixtures(kitchen.with_every_food(), view.vocabulary())
-    own = Larder.of(kitchen, similarity or food_similarity(), mixed)
-    own = own.knowing({name for goal in goals for name in goal.ingredients})
+    own = Larder.of(kitchen, similarity or food_similarity())
+    goals = view.likely_goals(None, own.foods, MOST_CONSIDERED).goals
+    named = {name for goal in goals for name in goal.ingredients}
+    own = own.with_mixtures(named, view).knowing(named)
     likely = sorted((goal for goal in goals if own.promise(goal)), key=lambda goal: _cheap_rank(goal, own))
     likely = likely[: max(LEAST_PROVEN, 2 * most)]
     units = view.behind([goal.node for goal in likely])
-    nodes = (node for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes))
+    nodes = {node for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+    own = own.with_mixtures({name for node in nodes for name in (node.label, *node.ingredients)}, view)
     own = own.knowing({name for node in nodes for name in own.names_in(node)})
     index = _index(units, own)
     found = [s for goal in likely if (s := _proven(goal, index, own, time_limit)) is not None and s.taken]
@@ -144,14 +148,19 @@ class Larder:
     stands_for: dict[str, tuple[str, float]]
 
     @classmethod
-    def of(cls, kitchen: StockedKitchen, similarity: Similarity, mixed: frozenset[str]) -> Larder:
+    def of(cls, kitchen: StockedKitchen, similarity: Similarity) -> Larder:
         """Return the larder that ``kitchen`` names; raises UsageError where that is none."""
         foods = kitchen.food_names
         if not foods:
             raise UsageError(
                 "no food is at hand", hint="Name foods, as in foon suggest egg “chopped onion”, or a --kitchen file."
             )
-        return cls(kitchen, foods, similarity, mixed, {})
+        return cls(kitchen, foods, similarity, frozenset(), {})
+
+    def with_mixtures(self, names: Collection[str], view: KnowledgeView) -> Larder:
+        """Return this larder, where it is known which of ``names`` the FOON of ``view`` makes of others."""
+        found = mixtures(self.kitchen.with_every_food(), view.words_named(names))
+        return replace(self, mixed=self.mixed | found)
 
     def knowing(self, names: Collection[str]) -> Larder:
         """Return this larder, with what it has for each of ``names`` as well."""

@@ -43,7 +43,7 @@ from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequ
 from foon_kg.web.service import FoonService
 from foon_kg.web.teach.routes import router as teach_router
 from foon_kg.web.watching import router as watching
-from foon_kg.web.words import FoonWords, Kind
+from foon_kg.web.words import Kind, Words
 
 _REFUSALS: dict[int | str, dict[str, Any]] = {
     400: {"description": "The body cannot be read."},
@@ -242,7 +242,7 @@ async def _answered(request: Request, question: Question) -> Response:
     return Response(body, status, headers)
 
 
-def _words(request: Request, response: Response) -> FoonWords:
+def _words(request: Request, response: Response) -> Words:
     """Return what answers quick questions, and have ``response`` tell of which edition it is."""
     edition = _service(request).current()
     response.headers.update(edition_told(edition))

@@ -1,4 +1,4 @@
-"""The FOON that is served: in memory, and which edition of it stands now."""
+"""The FOON that is served: in memory, or in a graph that is too large for it, and which edition of it stands now."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.foon import Foon
+from foon_kg.foon.answering import WHOLE
 from foon_kg.model import content_key
 from foon_kg.model.drafted import Lesson
 from foon_kg.model.errors import GraphError
 from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.settings import ConnectionSettings
 from foon_kg.store.snapshot import Snapshot
 
 EVERY = 2.0
@@ -25,14 +27,20 @@ EMPTY = "empty"
 
 @dataclass(frozen=True)
 class Served:
-    """A FOON in memory, and the name of its edition: another one has other content.
+    """A FOON and the name of its edition: another one has other content.
 
-    ``lessons`` are what drafts of recipes teach, for who asks to plan with them.
+    It is in memory (``snapshot``), or so large that who answers asks the graph of ``server`` for what each question
+    needs. ``lessons`` are what drafts of recipes teach, for who asks to plan with them.
     """
 
     edition: str
-    snapshot: Snapshot
+    snapshot: Snapshot | None = None
     lessons: tuple[Lesson, ...] = ()
+    server: ConnectionSettings | None = None
+
+    def foon(self) -> Foon:
+        """Return what answers questions about it; close it."""
+        return Foon(self.snapshot, self.server, self.lessons)
 
 
 class FixedFoon:
@@ -67,10 +75,12 @@ class LiveFoon:
     """The FOON of a graph, one without units where nothing is loaded yet. Any number of threads may ask.
 
     ``opened`` connects; it is called again where the graph stopped answering, as the local server does when it idles.
+    One of more units than ``whole`` is never read as a whole.
     """
 
-    def __init__(self, opened: Callable[[], Foon], every: float = EVERY) -> None:
+    def __init__(self, opened: Callable[[], Foon], every: float = EVERY, whole: int = WHOLE) -> None:
         self._opened = opened
+        self._whole = whole
         self._every = every
         self._turn = threading.Lock()
         self._foon: Foon | None = None
@@ -104,6 +114,8 @@ class LiveFoon:
         if name == EMPTY:
             return Served(name, Snapshot((), (), Kitchen.default()))
         foon = self._connected()
+        if foon.is_larger_than(self._whole):
+            return Served(name, None, foon.lessons(), foon.server)
         return Served(name, foon.snapshot(), foon.lessons())
 
     def close(self) -> None:

@@ -1,4 +1,4 @@
-"""The questions that take a while, answered from one FOON in memory: plans and suggestions."""
+"""The questions that take a while, answered from one FOON: plans and suggestions."""
 
 from __future__ import annotations
 
@@ -6,9 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 
-from foon_kg.foon import Foon
-from foon_kg.model import KnownUnit
-from foon_kg.model.drafted import Lesson
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.planning.batch import Answer
@@ -17,12 +14,11 @@ from foon_kg.planning.kitchen_file import ReadKitchen
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.snapshot import Snapshot
-from foon_kg.validation import KnownFoon
-from foon_kg.web.evidence import Place, by_place
 from foon_kg.web.examples import example_dishes, recorded_dishes
+from foon_kg.web.foon import Served
 from foon_kg.web.plan_answer import plan_to_json
 from foon_kg.web.questions import ExamplesQuestion, PlanQuestion, Question, Reply, SuggestQuestion
+from foon_kg.web.sources import PartSources, Sources, WholeSources
 
 TIME_LIMIT = 3.0
 """Seconds for the search of one reference tree."""
@@ -36,21 +32,22 @@ _NO_WISHES = PlanSettings(time_limit=TIME_LIMIT)
 class PlanningDesk:
     """Answers plans and suggestions from one FOON, for one thread."""
 
-    def __init__(self, snapshot: Snapshot, lessons: Sequence[Lesson] = ()) -> None:
-        self.snapshot = snapshot
-        self._foon = Foon(snapshot, lessons=lessons)
+    def __init__(self, served: Served) -> None:
+        self._foon = served.foon()
+        self._sources: Sources = WholeSources(self._foon) if served.snapshot else PartSources(self._foon)
 
     def get_ready(self) -> None:
         """Work out what every plan needs, so that no question waits for it and none of its time limit goes into it."""
         self._foon.get_ready(_NO_WISHES)
-        _ = self._durations, self._known, self._places
+        self._sources.get_ready()
+        _ = self._durations
 
     def practise(self) -> Iterator[PlannerQuestion]:
         """Plan recorded dishes, one at each step, for what is kept of that: words, places of foods, reference trees.
 
         No answer becomes another by it; the first questions about like foods are answered sooner.
         """
-        for dish in recorded_dishes(self.snapshot, _MOST_PRACTISED):
+        for dish in recorded_dishes(self._sources.sample, _MOST_PRACTISED):
             self._planned(dish)
             yield dish
 
@@ -60,22 +57,25 @@ class PlanningDesk:
             if isinstance(question, PlanQuestion):
                 return self._plan(question)
             if isinstance(question, ExamplesQuestion):
-                return Reply.of({"examples": example_dishes(self.snapshot, self._planned, question.most)})
+                return Reply.of({"examples": example_dishes(self._sources.sample, self._planned, question.most)})
             return Reply.of(self._suggest(question))
         except FoonError as error:
             return Reply.of_error(error)
 
     def close(self) -> None:
-        """Nothing is held open."""
+        """Give connections back."""
+        self._foon.close()
 
     def _plan(self, question: PlanQuestion) -> Reply:
+        self._sources.check(with_drafts=question.with_drafts)
         read = self._at_hand(question.kitchen) if question.kitchen else None
         answer = self._answered(question, read.kitchen if read else Kitchen.default())
         notes = [*(read.notes if read else ()), *answer.notes]
         if answer.error is not None:
             return Reply.of_error(answer.error, answer.outcome.to_json() | {"notes": notes})
-        known, places = self._drafted if question.with_drafts else (self._known, self._places)
-        return Reply.of(plan_to_json(answer, question, self._durations, known, places) | {"notes": notes})
+        source = self._sources.of(answer, with_drafts=question.with_drafts)
+        told = plan_to_json(answer, question, self._durations, source.known, source.places)
+        return Reply.of(told | {"notes": notes})
 
     def _answered(self, question: PlanQuestion, kitchen: Kitchen) -> Answer:
         asked = PlannerQuestion(dish_type=question.dish_type, texts=question.ingredients, title=question.title or None)
@@ -95,21 +95,7 @@ class PlanningDesk:
 
     @cached_property
     def _durations(self) -> Durations:
-        return Durations.of_units(self.snapshot.units)
-
-    @cached_property
-    def _known(self) -> KnownFoon:
-        return KnownFoon.of(self.snapshot.units, self.snapshot.goals())
-
-    @cached_property
-    def _places(self) -> dict[Place, KnownUnit]:
-        return by_place(self.snapshot.units)
-
-    @cached_property
-    def _drafted(self) -> tuple[KnownFoon, dict[Place, KnownUnit]]:
-        """What the judge and the evidence of plans look at that were made with drafts, too."""
-        both = self._foon.with_drafts()
-        return KnownFoon.of(both.units, both.goals()), by_place(both.units)
+        return Durations.of_units(self._sources.sample.units)
 
     def _suggest(self, question: SuggestQuestion) -> JsonObject:
         read = self._at_hand((*question.foods, *question.kitchen))

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Sequence
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from typing import Any
 
-from foon_kg.model.drafted import Lesson
 from foon_kg.planning.processes import collect_seldom, end_with_parent, keep_for_good
-from foon_kg.store.snapshot import Snapshot
+from foon_kg.web.foon import Served
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.questions import BusyError, InternalError, Question, Reply, TooLongError
 
@@ -27,8 +25,8 @@ _IDLE = 0.5
 class PlanningProcess:
     """Answers one question at a time, each within ``seconds``; whatever becomes of its process, there is another."""
 
-    def __init__(self, snapshot: Snapshot, seconds: float, lessons: Sequence[Lesson] = ()) -> None:
-        self._taught = snapshot, lessons
+    def __init__(self, served: Served, seconds: float) -> None:
+        self._served = served
         self._seconds = seconds
         self._ready = False
         self._closed = False
@@ -84,7 +82,7 @@ class PlanningProcess:
     def _begin(self) -> None:
         context = get_context("spawn")
         self._line, theirs = context.Pipe()
-        self._process = context.Process(target=_plan, args=(theirs, *self._taught), name="foon-planning", daemon=True)
+        self._process = context.Process(target=_plan, args=(theirs, self._served), name="foon-planning", daemon=True)
         self._ready = False
         self._process.start()
         theirs.close()
@@ -94,12 +92,12 @@ class PlanningProcess:
         self._process.join()
 
 
-def _plan(line: Connection[Any, Any], snapshot: Snapshot, lessons: Sequence[Lesson]) -> None:
+def _plan(line: Connection[Any, Any], served: Served) -> None:
     """Return what comes through ``line`` for as long as somebody has its other end."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that serves hears it, and ends this one
     threading.Thread(target=end_with_parent, daemon=True).start()
     collect_seldom()
-    desk = PlanningDesk(snapshot, lessons)
+    desk = PlanningDesk(served)
     desk.get_ready()
     keep_for_good()
     line.send(None)  # it is ready

@@ -10,11 +10,14 @@ from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Protocol
 
+from foon_kg.model.errors import UsageError
 from foon_kg.model.json_fields import JsonObject
+from foon_kg.store.settings import ConnectionSettings
 from foon_kg.web.explore.explorer import Explorer
 from foon_kg.web.foon import Served
+from foon_kg.web.graph_words import GraphWords
 from foon_kg.web.questions import BusyError, Question, Reply, TooLongError
-from foon_kg.web.words import FoonWords, Kind
+from foon_kg.web.words import FoonWords, Kind, Words
 from foon_kg.web.workers import Workers
 
 SECONDS = 20.0
@@ -52,13 +55,22 @@ class FoonSource(Protocol):
 
 @dataclass(frozen=True)
 class Edition:
-    """One edition of the FOON with all that answers from it; ``newer`` is one that is being read meanwhile."""
+    """One edition of the FOON with all that answers from it; ``newer`` is one that is being read meanwhile.
+
+    One that is too large for memory has no ``explorer``; ``server`` is the Neo4j that is asked for its parts.
+    """
 
     name: str
-    words: FoonWords
-    explorer: Explorer
+    words: Words
+    explorer: Explorer | None
     workers: Workers
     newer: str | None = None
+    server: ConnectionSettings | None = None
+
+    def close(self, *, at_once: bool = False) -> None:
+        """End what answers from it, once it has answered or ``at_once``."""
+        self.workers.close(at_once=at_once)
+        self.words.foon.close()
 
 
 class FoonService:
@@ -188,15 +200,21 @@ class FoonService:
         return self.current().words.around(label)
 
     def explorer(self) -> Explorer:
-        """Return what the FOON answers to who wanders through it."""
-        return self.current().explorer
+        """Return what the FOON answers to who wanders through it; raises UsageError where it is too large for that."""
+        edition = self.current()
+        if edition.explorer is None:
+            raise UsageError(
+                f"nobody wanders through a FOON of {edition.words.size.units:,} steps: it is too large to be held here",
+                hint="Serve some of its videos (foon serve --files), or ask it in Cypher (foon serve --cypher).",
+            )
+        return edition.explorer
 
     def close(self) -> None:
         """End the processes, and give the sockets back."""
         self._reader.shutdown(cancel_futures=True)
         with self._turn:
             if self._edition is not None:
-                self._edition.workers.close(at_once=True)
+                self._edition.close(at_once=True)
                 self._edition = None
         self._foon.close()
 
@@ -214,18 +232,30 @@ class FoonService:
         return self.reading
 
     def _read(self) -> Edition:
-        """Read the FOON, begin the processes that plan from it, and have it answer from now on."""
+        """Read the FOON, begin the processes that plan from it, and have it answer from now on.
+
+        Those that ask a graph for parts of it go on: they ask the new edition.
+        """
         served = self._foon.read()
-        workers = Workers(served.snapshot, self._processes, self._most, self._seconds, served.lessons)
-        edition = Edition(
-            served.edition, FoonWords(served.snapshot, served.lessons), Explorer(served.snapshot), workers
-        )
+        edition = self._edition_of(served)
         with self._turn:
-            if self._edition is not None:
-                self._edition.workers.close()
+            if self._edition is not None and self._edition.workers is not edition.workers:
+                self._edition.close()
             self._kept.clear()
             self._edition, self._stood = edition, time.monotonic()
         return edition
+
+    def _edition_of(self, served: Served) -> Edition:
+        there = self._edition
+        if served.snapshot is not None:
+            words, explorer = FoonWords(served.snapshot, served.lessons), Explorer(served.snapshot)
+            return Edition(served.edition, words, explorer, self._workers(served))
+        if there is not None and there.server == served.server:
+            return Edition(served.edition, GraphWords(there.words.foon), None, there.workers, server=served.server)
+        return Edition(served.edition, GraphWords(served.foon()), None, self._workers(served), server=served.server)
+
+    def _workers(self, served: Served) -> Workers:
+        return Workers(served, self._processes, self._most, self._seconds)
 
 
 def _failed(future: Future[Reply]) -> bool:

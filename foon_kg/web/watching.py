@@ -28,11 +28,11 @@ def metrics(request: Request) -> Response:
     counted: Metrics = request.app.state.metrics
     service = request.app.state.service
     edition, kept = service.there()
-    snapshot = edition.words.snapshot if edition else None
+    size = edition.words.size if edition else None
     beside = {
         "foon_ready": ("Whether a FOON is there to answer from.", float(edition is not None)),
-        "foon_units": ("Units of the FOON.", float(len(snapshot.units) if snapshot else 0)),
-        "foon_videos": ("Videos of the FOON.", float(len(snapshot.subgraphs) if snapshot else 0)),
+        "foon_units": ("Units of the FOON.", float(size.units if size else 0)),
+        "foon_videos": ("Videos of the FOON.", float(size.videos if size else 0)),
         "foon_answers_kept": ("Answers that are kept for who asks the same again.", float(kept)),
     }
     labels = {"version": __version__, "edition": edition.name if edition else ""}

@@ -1,9 +1,11 @@
-"""The quick questions, answered from one FOON by any thread: completion, likeness, a look around an object."""
+"""The quick questions, answered by any thread: completion, likeness, a look around an object."""
 
 from __future__ import annotations
 
 import difflib
+from abc import ABC, abstractmethod
 from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 from urllib.parse import urlsplit
@@ -26,24 +28,47 @@ MOST_UNITS = 40
 """How many of the units that make an object, and of those that take it, are told; the rest is counted."""
 
 
-class FoonWords:
-    """The words of one FOON, and what is around each of them."""
+@dataclass(frozen=True)
+class Size:
+    """How many units, videos and foods a FOON has."""
 
-    def __init__(self, snapshot: Snapshot, lessons: Sequence[Lesson] = ()) -> None:
-        self.snapshot = snapshot
-        self.lessons = lessons
-        vocabulary = snapshot.vocabulary()
-        self.dish_types = vocabulary.dish_types
-        self.foods = vocabulary.labels
-        self.states = sorted({row.state for row in vocabulary.foods if row.state})
+    units: int
+    videos: int
+    foods: int
+
+
+class Words(ABC):
+    """The words of one FOON, wherever it is, and what is around each of them."""
+
+    foon: Foon
+    size: Size
+    dish_types: Sequence[str]
+    states: Sequence[str]
+    lessons: Sequence[Lesson]
+    """What drafts teach that plans can be made with."""
+
+    @abstractmethod
+    def named(self, kind: Kind, text: str) -> Iterable[str]:
+        """Return names of foods, objects or goals, among them all, or many, that ``text`` may become."""
+
+    @abstractmethod
+    def seen_in(self, state: str, text: str) -> Iterable[str]:
+        """Return foods that are seen in ``state``, among them all, or many, that ``text`` may become."""
+
+    @abstractmethod
+    def around(self, label: str) -> JsonObject:
+        """Return an object's nodes, its states, the units that make and take it, and the videos it is in.
+
+        Raises UnknownError with the nearest names where the FOON does not have it.
+        """
 
     def summary(self) -> JsonObject:
         """Return how large the FOON is, and its dish types."""
         return {
             "dish_types": list(self.dish_types),
-            "units": len(self.snapshot.units),
-            "videos": len(self.snapshot.subgraphs),
-            "foods": len(self.foods),
+            "units": self.size.units,
+            "videos": self.size.videos,
+            "foods": self.size.foods,
             "drafts": len(self.lessons),
             "drafted_types": sorted({one.dish_type for one in self.lessons}.difference(self.dish_types)),
         }
@@ -57,12 +82,8 @@ class FoonWords:
         """
         if kind == "ingredient":
             return self._ingredients(text, limit)
-        names = {
-            "food": self.foods, "avoidable": (*Foon.kinds_of_food(), *self.foods), "object": self._objects,
-            "thing": self._objects, "state": self.states, "dish": self.dish_types,
-            "goal": self._goals,
-        }[kind]  # fmt: skip
-        found = _matching(dict.fromkeys(names), text.strip().lower())
+        said = text.strip().lower()
+        found = _matching(dict.fromkeys(self._names(kind, said)), said)
         if kind == "thing":
             found = list(dict.fromkeys((*found, *self._ingredients(text, limit))))
         return found[:limit]
@@ -73,7 +94,7 @@ class FoonWords:
         With ``role`` ("liquid", "protein"), those that a cook takes for it where it is there for that; UsageError for
         a role that nobody knows.
         """
-        foon = Foon(self.snapshot)
+        foon = self.foon
         found = foon.similar_to_each(names, limit, role=role)
         return [
             {
@@ -86,36 +107,64 @@ class FoonWords:
             for name, neighbours in zip(names, found, strict=True)
         ]
 
-    def around(self, label: str) -> JsonObject:
-        """Return an object's nodes, its states, the units that make and take it, and the videos it is in.
+    def _names(self, kind: Kind, said: str) -> Iterable[str]:
+        if kind == "state":
+            return self.states
+        if kind == "dish":
+            return self.dish_types
+        if kind == "avoidable":
+            return (*Foon.kinds_of_food(), *self.named("food", said))
+        return self.named("object" if kind == "thing" else kind, said)
 
-        Raises UnknownError with the nearest names where the FOON does not have it.
-        """
+    def _ingredients(self, text: str, limit: int) -> list[str]:
+        said = " ".join(text.lower().split())
+        state = max((s for s in self.states if said.startswith(f"{s.lower()} ")), key=len, default="")
+        if not state:
+            return _matching([*self.named("food", said), *self.states], said)[:limit]
+        rest = said[len(state) + 1 :]
+        seen = sorted(self.seen_in(state, rest))
+        foods = dict.fromkeys((*_matching(seen, rest), *_matching(self.named("food", rest), rest)))
+        return [f"{state} {food}" for food in foods][:limit]
+
+
+class FoonWords(Words):
+    """The words of a FOON in memory."""
+
+    def __init__(self, snapshot: Snapshot, lessons: Sequence[Lesson] = ()) -> None:
+        self.foon = Foon(snapshot)
+        self.snapshot = snapshot
+        self.lessons = lessons
+        vocabulary = snapshot.vocabulary()
+        self.dish_types = vocabulary.dish_types
+        self.foods = vocabulary.labels
+        self.states = sorted({row.state for row in vocabulary.foods if row.state})
+        self.size = Size(len(snapshot.units), len(snapshot.subgraphs), len(self.foods))
+
+    def named(self, kind: Kind, text: str) -> Iterable[str]:
+        """Return all foods, objects or goals."""
+        del text
+        return {"food": self.foods, "object": self._objects, "goal": self._goals}[kind]
+
+    def seen_in(self, state: str, text: str) -> Iterable[str]:
+        """Return the foods that are seen in ``state``."""
+        del text
+        return (row.label for row in self.snapshot.vocabulary().foods if row.state == state)
+
+    def around(self, label: str) -> JsonObject:
+        """Return what is around an object; raises UnknownError with the nearest names where there is none."""
         called = self._units_by_label.get(label)
         if called is None:
-            near = difflib.get_close_matches(label, self._objects, n=3)
-            meant = f"Did you mean {' or '.join(near)}?" if near else "The page and /api/complete complete names."
-            raise UnknownError(f"this FOON has no object “{label}”", hint=meant)
+            raise no_object(label, self._objects)
         made = [known for known in called if any(node.label == label for node in known.unit.output_nodes)]
         taken = [known for known in called if any(node.label == label for node in known.unit.input_nodes)]
         return {
             "label": label,
             "utensil": Kitchen.default().is_utensil(label),
             "nodes": list(map(node_to_json, self.snapshot.called([label]))),
-            "made_by": _units_to_json(made),
-            "taken_by": _units_to_json(taken),
+            "made_by": units_to_json(made, len(made)),
+            "taken_by": units_to_json(taken, len(taken)),
             "videos": sorted({seen.video for known in called for seen in known.seen_in}),
         }
-
-    def _ingredients(self, text: str, limit: int) -> list[str]:
-        said = " ".join(text.lower().split())
-        state = max((s for s in self.states if said.startswith(f"{s.lower()} ")), key=len, default="")
-        if not state:
-            return _matching([*self.foods, *self.states], said)[:limit]
-        rest = said[len(state) + 1 :]
-        seen = [row.label for row in self.snapshot.vocabulary().foods if row.state == state]
-        foods = dict.fromkeys((*_matching(sorted(seen), rest), *_matching(self.foods, rest)))
-        return [f"{state} {food}" for food in foods][:limit]
 
     @cached_property
     def _goals(self) -> list[str]:
@@ -133,6 +182,13 @@ class FoonWords:
             for label in dict.fromkeys(node.label for node in nodes):
                 units.setdefault(label, []).append(known)
         return units
+
+
+def no_object(label: str, known: Iterable[str]) -> UnknownError:
+    """Return what is told to who asks for an object that is not there; ``known`` are names that may be meant."""
+    near = difflib.get_close_matches(label, list(known), n=3)
+    meant = f"Did you mean {' or '.join(near)}?" if near else "The page and /api/complete complete names."
+    return UnknownError(f"this FOON has no object “{label}”", hint=meant)
 
 
 def place_to_see(sightings: Sequence[Sighting], videos: Collection[str] = ()) -> Sighting | None:
@@ -165,10 +221,11 @@ def _fits(name: str, text: str) -> bool:
     return name.startswith(text) or f" {text}" in name
 
 
-def _units_to_json(units: Sequence[KnownUnit]) -> JsonObject:
+def units_to_json(units: Sequence[KnownUnit], count: int) -> JsonObject:
+    """Return the first of ``units``, of which there are ``count``."""
     told = units[:MOST_UNITS]
     return {
-        "count": len(units),
+        "count": count,
         "units": list(map(_unit_to_json, told)),
         "videos": [seen_at(known.seen_in) for known in told],
     }

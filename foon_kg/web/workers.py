@@ -6,14 +6,13 @@ A process that answers nothing within its time, or that somebody ended, is repla
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from queue import SimpleQueue
 from typing import Protocol
 
-from foon_kg.model.drafted import Lesson
-from foon_kg.store.snapshot import Snapshot
+from foon_kg.web.foon import Served
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.planning_process import PlanningProcess
 from foon_kg.web.questions import BusyError, Question, Reply
@@ -38,11 +37,9 @@ class Workers:
     (``processes`` 0) cannot be ended: it is for who asks one question at a time and can wait.
     """
 
-    def __init__(
-        self, snapshot: Snapshot, processes: int, most: int, seconds: float, lessons: Sequence[Lesson] = ()
-    ) -> None:
-        self._desks: list[Desk] = [PlanningProcess(snapshot, seconds, lessons) for _ in range(processes)]
-        self._desks = self._desks or [PlanningDesk(snapshot, lessons)]
+    def __init__(self, served: Served, processes: int, most: int, seconds: float) -> None:
+        self._desks: list[Desk] = [PlanningProcess(served, seconds) for _ in range(processes)]
+        self._desks = self._desks or [PlanningDesk(served)]
         self._free: SimpleQueue[Desk] = SimpleQueue()
         for desk in self._desks:
             self._free.put(desk)

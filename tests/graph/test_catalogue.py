@@ -83,7 +83,7 @@ def test_a_read_finds_its_nodes_by_index_or_says_why_it_scans(session, query):
 
 
 @pytest.mark.neo4j
-@pytest.mark.parametrize("name", ["behind", "forget_plans"])
+@pytest.mark.parametrize("name", ["behind", "behind_one"])
 def test_what_is_behind_or_before_a_node_is_found_by_a_search_that_visits_each_node_once(session, name):
     query = next(query for query in catalogue() if query.name == name)
     assert "VarLengthExpand(Pruning,BFS,All)" in set(operators(explained(session, query)[1].plan))
@@ -93,8 +93,8 @@ def test_what_is_behind_or_before_a_node_is_found_by_a_search_that_visits_each_n
 @pytest.mark.parametrize(
     "name",
     [
-        "attested", "count_joins", "count_operators", "evidence", "first_sightings", "forget_frames", "forget_plans",
-        "goals", "known_units", "load_evidence", "load_frames", "load_matters", "load_operators", "remember",
+        "attested", "count_joins", "count_operators", "evidence", "first_sightings", "forget_frames", "goals",
+        "known_units", "load_evidence", "load_frames", "load_matters", "load_operators", "remember",
         "remembered",
     ],
 )  # fmt: skip

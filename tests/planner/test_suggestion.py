@@ -152,4 +152,4 @@ def test_neo4j_and_memory_suggest_the_same(empty_graph):
         before = view.round_trips
         in_memory = suggest(Snapshot.of(DEMO, KITCHEN), kitchen, most=3, time_limit=None)
         assert suggest(view, kitchen, most=3, time_limit=None) == in_memory
-        assert view.round_trips == before + 4  # the goals, the words, what is behind the best, and its units
+        assert view.round_trips == before + 5  # words, goals, their foods, what is behind the best, and its units

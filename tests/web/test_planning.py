@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pictures.demo_plans import demo_foon
 
+from foon_kg.web.foon import Served
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.questions import PlanQuestion
 
@@ -15,7 +16,7 @@ QUESTIONS = [
 
 
 def test_practice_changes_no_answer():
-    fresh, practised = PlanningDesk(demo_foon()), PlanningDesk(demo_foon())
+    fresh, practised = PlanningDesk(Served("one", demo_foon())), PlanningDesk(Served("one", demo_foon()))
     practised.get_ready()
     dishes = list(practised.practise())
     assert len(dishes) > 5
@@ -24,8 +25,8 @@ def test_practice_changes_no_answer():
 
 
 def test_practice_can_be_left_at_any_dish():
-    desk = PlanningDesk(demo_foon())
+    desk = PlanningDesk(Served("one", demo_foon()))
     practice = desk.practise()
     first, answer, second = next(practice), desk.answer(QUESTIONS[0]), next(practice)
     assert first != second
-    assert answer == PlanningDesk(demo_foon()).answer(QUESTIONS[0])
+    assert answer == PlanningDesk(Served("one", demo_foon())).answer(QUESTIONS[0])

@@ -39,6 +39,7 @@ class Learner:
         self._tally = Tally()
         self._joins = Joins()
         self._matters: set[str] = set()
+        self._spoken_of: set[str] = set()
         self._forgotten: set[str] = set()
         self._sighted: defaultdict[str, list[SightingValue]] = defaultdict(list)
         self._attested: dict[str, tuple[str, Sequence[str], Sequence[str]]] = {}
@@ -52,7 +53,9 @@ class Learner:
         """Take away the frames of the named videos."""
         self._forgotten.update(names)
         rows = self._ask(cypher.FORGET_FRAMES, names=names)
-        self._joins.count((frame_of(row.text) for row in rows), weight=-1)
+        frames = [frame_of(row.text) for row in rows]
+        self._joins.count(frames, weight=-1)
+        self._spoken_of |= slot_foods(frames)
 
     def learn(self, new: Iterable[FunctionalUnit], subgraphs: Sequence[Subgraph]) -> None:
         """Learn from ``subgraphs``, which the graph has with all their sightings, and from the units new in it."""
@@ -90,7 +93,7 @@ class Learner:
         if any(joins.values()):
             self._ask(cypher.COUNT_JOINS, **joins)
         if doubtful:
-            self._ask(cypher.SWEEP_OPERATORS)
+            self._ask(cypher.SWEEP_OPERATORS, foods=sorted(self._spoken_of | self._tally.matters()))
 
     def _make_matters(self, wanted: set[str]) -> None:
         if fresh := wanted - self._matters:

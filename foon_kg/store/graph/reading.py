@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from itertools import chain, groupby
@@ -31,6 +31,7 @@ from foon_kg.store.graph.rows import (
     FrameReadValue,
     GoalValue,
     SeenUnit,
+    StateRow,
     SubgraphRow,
     measures_of,
     node_of,
@@ -42,6 +43,7 @@ from foon_kg.store.graph.statements import (
     BEHIND,
     BEHIND_ONE,
     EQUIVALENTS,
+    FOOD_ROWS,
     FRAMES,
     FRAMES_READ,
     GOALS,
@@ -76,6 +78,10 @@ MOST_LEARNT_ANEW = 500
 
 UNITS_AT_ONCE = 1_000
 """So many units are asked for in one question: ten thousand take more memory than a server of ours has for it."""
+
+
+FOODS_AT_ONCE = 5_000
+"""Of so many foods the rows are asked for in one question."""
 
 
 class GraphView:
@@ -129,6 +135,21 @@ class GraphView:
         more = chain.from_iterable(self._edition.rows_of[name] for name in names - words.rows_of.keys())
         return replace(words, foods=tuple(sorted((*words.foods, *more))))
 
+    def words_named(self, names: Collection[str]) -> Vocabulary:
+        """Return what the FOON knows of the foods with these ``names``; of words nothing else."""
+        missing = sorted(set(names) - self._edition.rows_of.keys())
+        for start in range(0, len(missing), FOODS_AT_ONCE):
+            (row,) = self._ask(FOOD_ROWS, names=missing[start : start + FOODS_AT_ONCE])
+            self._keep_rows(missing, row.foods)
+        rows = chain.from_iterable(self._edition.rows_of[name] for name in set(names))
+        return Vocabulary(tuple(sorted(rows)), (), ())
+
+    def _keep_rows(self, names: Iterable[str], rows: Sequence[StateRow]) -> None:
+        """Keep all that is known of the foods with these ``names``; utensils among them have no rows."""
+        self._edition.rows_of.update((name, ()) for name in names)
+        found = groupby(sorted(seen_as(rows)), key=attrgetter("label"))
+        self._edition.rows_of.update((label, tuple(some)) for label, some in found)
+
     def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
         """Return the goals of ``dish_type`` (of every type for ``None``), sorted by node and type."""
         if dish_type is None:
@@ -178,8 +199,7 @@ class GraphView:
         for start in range(0, len(missing), UNITS_AT_ONCE):
             (row,) = self._ask(KNOWN_UNITS, keys=missing[start : start + UNITS_AT_ONCE])
             units.update((known.unit.key, known) for known in known_units(row))
-            rows = groupby(sorted(seen_as(row.foods)), key=attrgetter("label"))
-            self._edition.rows_of.update((label, tuple(found)) for label, found in rows)
+            self._keep_rows({name for node in row.nodes for name in (node[2], *node[4])}, row.foods)
         return tuple(units[key] for key in keys if key in units)  # one that went meanwhile is not behind it any more
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
@@ -324,6 +344,14 @@ class GraphView:
             for statement, parameters, rows in self._fetched:
                 KeptRows(state.edition).write(statement, parameters, rows)
         self._fetched.clear()
+
+    def ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+        """Return the rows of a ``statement`` that reads, in one round trip."""
+        return self._ask(statement, **parameters)
+
+    def units_of(self, keys: Sequence[str]) -> tuple[KnownUnit, ...]:
+        """Return the units with these ``keys`` that are there, in their order."""
+        return self._units(keys)
 
     def _ask_once(self, statement: Statement[Row], **parameters: object) -> list[Row]:
         """Return what no program of this user asks twice of one edition."""

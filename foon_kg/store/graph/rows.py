@@ -82,6 +82,37 @@ class UnitsCountRow:
 
 
 @dataclass(frozen=True)
+class SizeRow:
+    """How many units, videos and foods a FOON has, and its dish types."""
+
+    units: int
+    videos: int
+    foods: int
+    dish_types: list[str]
+
+
+@dataclass(frozen=True)
+class NamesLikeRow:
+    """Names that a text may become; of a food also whether it is seen in the asked state."""
+
+    foods: list[tuple[str, bool]]
+    objects: list[str]
+    goals: list[str]
+
+
+@dataclass(frozen=True)
+class AroundLabelRow:
+    """How many units make and take an object, the keys of some of them, some of its nodes and videos."""
+
+    nodes: list[NodeRow]
+    made: list[str]
+    made_count: int
+    taken: list[str]
+    taken_count: int
+    videos: list[str]
+
+
+@dataclass(frozen=True)
 class SomethingRow:
     """Whether a database holds anything."""
 
@@ -175,6 +206,13 @@ class VocabularyRow:
     motions: list[tuple[str, str, int]]
     verbs: list[tuple[str, int, int]]
     dish_types: list[str]
+
+
+@dataclass(frozen=True)
+class FoodRowsRow:
+    """What the vocabulary has about some foods, in no order."""
+
+    foods: list[StateRow]
 
 
 @dataclass(frozen=True)

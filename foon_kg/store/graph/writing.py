@@ -62,7 +62,6 @@ class Writer:
         self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(subgraphs))
         self._ask(cypher.LOAD_GOALS, goals=[row for s in subgraphs for row in self._goal_rows(s)])
         self._words.update(name for node in nodes for name in node.ingredients)
-        self._throw_out_trees(units[row.key] for row in new)
         self._counts.count(units[row.key] for row in new)
         self._learner.learn((units[row.key] for row in new), subgraphs)
 
@@ -87,7 +86,6 @@ class Writer:
         self._counts.count(gone, weight=-1)
         self._learner.unlearn(gone, self._doubtful)
         if gone:
-            self._throw_out_trees(gone)
             self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in rows])
         foods, motions = list(self._counts.seen_as()), list(self._counts.made_by())
         verbs = list(self._counts.gatherings())
@@ -131,11 +129,6 @@ class Writer:
         """Write down with which kitchen the graph is written, and by what its operators and frames were learnt."""
         kitchen = kitchen_key(self._kitchen)
         self._ask(cypher.SCHEMA_RECORD, version=schema_version(), kitchen=kitchen, methods=methods)
-
-    def _throw_out_trees(self, changed: Iterable[FunctionalUnit]) -> None:
-        """Throw out the reference trees that the ``changed`` units, new or about to go, are behind the goals of."""
-        if keys := sorted({node.key for unit in changed for node in unit.output_nodes}):
-            self._ask(cypher.FORGET_PLANS, keys=keys)
 
     def _write_vectors(self) -> None:
         """Give every food its point in the vector index; all of them anew where the word lists are others."""

@@ -118,9 +118,6 @@ class Staged(StagedRecipes):
         pairs = ((objects[key], foods[name]) for key, names in made_of.items() for name in names)
         self.insert("Object_MADE_OF_Ingredient", pairs)
 
-    def forget_plans(self, keys: Sequence[str]) -> None:
-        """Do nothing: no reference trees are kept."""
-
     def count_foods(self, rows: Rows) -> None:
         """Add to the counts of foods in states."""
         foods = self.merged("Ingredient", {row["label"] for row in rows})

@@ -119,6 +119,8 @@ def cypher(request: Request, asked: CypherAsked) -> AnswerTold:
     if desk is None:
         raise NoCypherError
     answer = desk.ask(asked.text, asked.parameters, asked.limit)
+    if request.app.state.service.current().explorer is None:  # a table is told, and nothing is drawn
+        return AnswerTold(columns=list(answer.columns), rows=answer.plain_rows(), cut=answer.cut, things=[], edges=[])
     explorer = _explorer(request)
     found = drawn(answer, explorer.network)
     known = explorer.neighbours.edges({thing.id for thing in found.things if thing.kind != "other"})
