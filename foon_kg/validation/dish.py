@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from foon_kg.food import Match, is_unbaked, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
-from foon_kg.model import ObjectNode
+from foon_kg.food.told_states import in_turn
+from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.validation.case import Case, names, was_taken_out
 from foon_kg.validation.named import unheeded
 from foon_kg.validation.report import Finding
@@ -171,10 +172,17 @@ def asked(case: Case) -> Iterator[Finding]:
 
 
 def _for_serving(case: Case) -> frozenset[str]:
-    """Return the foods of which the recipe says that they are served with the dish, and nothing else."""
+    """Return the foods of which the recipe says that they are served with the dish, and nothing else (not roasted)."""
     said = word_list("is for what is done")
-    inside = {singular(wanted.object) for wanted in case.required if wanted.part not in said}
+    inside = {
+        singular(wanted.object) for wanted in case.required if wanted.part not in said or _is_asked_hot(case, wanted)
+    }
     return frozenset(case.required_names - inside)
+
+
+def _is_asked_hot(case: Case, wanted: RequiredIngredient) -> bool:
+    """Whether a recipe asks a food in a state that only heat gives."""
+    return any(case.tables.state(state).needs_heat for state in in_turn(wanted.state))
 
 
 def _is_cooked_for_nothing(parts: Sequence[Part]) -> bool:
