@@ -42,23 +42,35 @@ class _Body:
         self.joins = joins
         self.known = known
         self.falls_apart = any(self._falls_apart(join) for join in joins)
-        self.raw = raw = [join for join in joins if self._is_raw(join)]
+        self.raw = [join for join in joins if self._is_raw(join)]
         shaped = not word_list("holds patties").isdisjoint(told)
-        mass = [join for join in raw if join.want.facts.is_a(*word_list("patties are made of"))]
-        if shaped and not mass:
-            mass = [join for join in joins if join.want.facts.is_a(*word_list("patties are made of"))]
-            mass = mass or [join for join in joins if self._falls_apart(join)]  # in shreds it is shaped, too
+        mass = self._mass(shaped=shaped)
         self.shaped = bool(mass) and shaped
-        flesh = [join for join in raw if join.want.facts.is_a(*word_list("is coated")) and join not in mass]
-        fried = [join for join in joins if join.want.facts.is_a(*word_list("is fried to be stacked"))]
-        in_pieces = len(flesh) == 1 and not mass and self._is_cut(flesh[0]) and self._has_more_for_the_pan()
-        wet = any(join.want.facts.is_of(*word_list("is braised in")) for join in joins)
-        self.braised = len(flesh) == 1 and not mass and wet and flesh[0].want.facts.is_of(*word_list("is braised"))
+        flesh = [join for join in self.raw if join.want.facts.is_a(*word_list("is coated")) and join not in mass]
+        alone = flesh[0] if len(flesh) == 1 and not mass else None
+        self.braised = alone is not None and self._is_braised(alone)
+        in_pieces = alone is not None and self._is_cut(alone) and self._has_more_for_the_pan()
         self.loose = (bool(mass) and not self.shaped) or in_pieces or self.braised
         self.main = mass or (flesh if len(flesh) == 1 else [])
-        if not self.main and not raw and fried:
-            self.main, fried = fried, []
+        fried = [join for join in joins if join.want.facts.is_a(*word_list("is fried to be stacked"))]
+        if not self.main and not self.raw:
+            self.main = fried
         self.fried = [join for join in fried if join not in self.main]
+
+    def _mass(self, *, shaped: bool) -> list[Join]:
+        """Return what patties are made of: what is raw; where nothing is and they are ``shaped``, what is not.
+
+        Else what falls apart: in shreds it is shaped, too.
+        """
+        able = [join for join in self.joins if join.want.facts.is_a(*word_list("patties are made of"))]
+        raw = [join for join in able if join in self.raw]
+        if raw or not shaped:
+            return raw
+        return able or [join for join in self.joins if self._falls_apart(join)]
+
+    def _is_braised(self, flesh: Join) -> bool:
+        wet = any(join.want.facts.is_of(*word_list("is braised in")) for join in self.joins)
+        return wet and flesh.want.facts.is_of(*word_list("is braised"))
 
     def _is_cut(self, join: Join) -> bool:
         return bool(join.want.make) and (self.known.state(join.want.make).fine or 0) > 1

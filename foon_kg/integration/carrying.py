@@ -50,40 +50,57 @@ class Carrier:
         ready.whole_shell = False
 
     def transfer(self, source: Vessel, target: Vessel, stage: Stage, *, whole: bool = False) -> None:
-        """Bring all that is in one vessel into another (as one piece: ``whole``); water runs off in a strainer."""
+        """Bring all that is in one vessel into another (as one piece: ``whole``); water runs off in a strainer.
+
+        Raises :class:`RefusedError` where nothing brings it.
+        """
         stuffs = list(source.contents)
-        row = self.known.utensil(target.label)
-        water = [stuff for stuff in stuffs if not stuff.mixed and self.known.foods.food(stuff.label).is_a("water")]
-        if row is not None and "strain" in row.can and 0 < len(water) < len(stuffs):
-            self.drain(source, target, [stuff for stuff in stuffs if stuff not in water])
+        if solid := self._strained(stuffs, target):
+            self.drain(source, target, solid)
             return
         out_of_tin = self._is_in_tin(source)
         if out_of_tin:
             self._cool(source)
-        left = [stuff for stuff in stuffs if self._stays_in_the_pan(stuff, stuffs)]
-        stuffs = [stuff for stuff in stuffs if stuff not in left]
+        moved = [stuff for stuff in stuffs if not self._stays_in_the_pan(stuff, stuffs)]
         foods = foods_of(source)
         if "coat" in stage.does and stage.motion in word_list("greases") and not whole:
             onto = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
             if onto is not None and target.contents:
-                self.bench.bring(stuffs, target, onto, onto=list(target.contents))
+                self.bench.bring(moved, target, onto, onto=list(target.contents))
                 return
-        runs, one_piece = self._hangs_together(stuffs, whole=whole)
-        usual = self.bench.operators.brings("liquid" if runs else "whole" if one_piece else "pieces", "vessel")
-        ways: list[Way] = []
-        tools = stage.tools if (stage.motion, stage.tools) in usual else ()
-        if stage.motion and self._pure((stage.motion, tools)) and (not runs or (stage.motion, tools) in usual):
-            ways.append((stage.motion, tools))
-        ways += [way for way in usual if self._pure(way)]
-        if one_piece and (whole or not _SOLID.isdisjoint(state for stuff in stuffs for state in stuff.states)):
-            ways = self._lifting(ways, source)
+        ways = self._ways_out(source, moved, stage, whole=whole)
         if out_of_tin:
             ways = [way for way in ways if not way[1]] or ways  # nothing reaches under it
-        if self._is_portioned(stuffs, target):
-            spoons = (way for way in self.bench.operators.ways.get("fetch", ()) if way[1] and self._pure(way))
-            ways = [way for way in spoons if "move" in self.known.motion(way[0]).does][:1] or ways
+        if self._is_portioned(moved, target):
+            ways = self._by_the_spoon()[:1] or ways
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
-        self.bench.bring(stuffs, target, attested, leaves=bool(left))
+        self.bench.bring(moved, target, attested, leaves=len(moved) < len(stuffs))
+
+    def _strained(self, stuffs: Sequence[Stuff], target: Vessel) -> list[Stuff]:
+        """Return what stays in a strainer, without the water that runs off; nothing where none does."""
+        row = self.known.utensil(target.label)
+        if row is None or "strain" not in row.can:
+            return []
+        rest = [stuff for stuff in stuffs if stuff.mixed or not self.known.foods.food(stuff.label).is_a("water")]
+        return rest if len(rest) < len(stuffs) else []
+
+    def _ways_out(self, source: Vessel, moved: Sequence[Stuff], stage: Stage, *, whole: bool) -> list[Way]:
+        """Return the ways to bring what is ``moved`` out of a vessel, that of the recorded ``stage`` first."""
+        runs, one_piece = self._hangs_together(moved, whole=whole)
+        usual = self.bench.operators.brings("liquid" if runs else "whole" if one_piece else "pieces", "vessel")
+        tools = stage.tools if (stage.motion, stage.tools) in usual else ()
+        told: Way = (stage.motion, tools)
+        ways = [way for way in usual if self._pure(way)]
+        if stage.motion and self._pure(told) and (not runs or told in usual):
+            ways.insert(0, told)
+        if one_piece and (whole or not _SOLID.isdisjoint(state for stuff in moved for state in stuff.states)):
+            ways = self._lifting(ways, source)
+        return ways
+
+    def _by_the_spoon(self) -> list[Way]:
+        """Return the ways that fetch a portion with a tool."""
+        ways = [way for way in self.bench.operators.ways.get("fetch", ()) if way[1] and self._pure(way)]
+        return [way for way in ways if "move" in self.known.motion(way[0]).does]
 
     def _stays_in_the_pan(self, stuff: Stuff, beside: Sequence[Stuff]) -> bool:
         """Whether liquid fat in which something was fried is left where it is: what clings to that is part of it."""

@@ -18,6 +18,7 @@ _COATED = word_list("is coated")
 _DRY = word_list("coats dry")
 _WET = word_list("coats wet")
 _WHOLE = word_list("is strewn whole")
+_ROUGH = word_list("coats roughly")
 
 _MIX = replace(MIX, tools=(), vessel="bowl", label="")
 _BATH = replace(_MIX, motion=min(word_list("is turned in by")), does=COATS)
@@ -33,38 +34,54 @@ def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line
 
     Nothing changes where there is no such flesh, or where something else has to be cooked too.
     """
-    facts = [join.want.facts for join in joins]
-    shaped = any("shape" in stage.does for one in _all(line) for stage in one.stages)
-    rough = any(one.is_a(*word_list("coats roughly")) for one in facts)
-    kinds = (
-        (*word_list("is coated"), *word_list("is coated where it is rough")) if rough else tuple(word_list("is coated"))
-    )
-    flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not _is_done(join.want)]
-    wet = any(one.is_a("cooking liquid") and not one.is_a(*_WET) for one in facts)
+    rough = _any_is(joins, *_ROUGH)
+    kinds = _COATED | word_list("is coated where it is rough") if rough else _COATED
+    flesh = _raw_flesh(joins, kinds)
     whole = len(flesh) == 1 and is_portion(flesh[0].want, known)
-    dusted = any(one.is_a("flour") for one in facts) and (whole or not wet)
-    rough = rough or (dusted and any(one.is_a("fat") for one in facts))
-    others = [join for join in joins if join not in flesh and {"cook", "boil"} & owed(join.want, known)]
-    if (
-        (shaped and not whole)
-        or len(flesh) != 1
-        or not rough
-        or any(not join.want.facts.is_a(*_WET, *_DRY) for join in others)
-    ):
+    wet = any(join.want.facts.is_a("cooking liquid") and not join.want.facts.is_a(*_WET) for join in joins)
+    if len(flesh) != 1 or (_is_shaped(line) and not whole) or _cooks_others(joins, flesh, known):
         return line, tuple(joins)
-    melts = any(one.is_a(*word_list("melts on top")) for one in facts)
-    if melts:
+    dusted = _any_is(joins, "flour") and _any_is(joins, "fat") and (whole or not wet)
+    if not (rough or dusted):
+        return line, tuple(joins)
+    if _any_is(joins, *word_list("melts on top")):
         baked = replace(BAKE)
         below = sorted(joins, key=lambda join: join.want.facts.is_a(*word_list("melts on top")))
         return coated_apart(Line((baked,)), [_at(join, baked) for join in below], kinds)
-    top = replace(TOP)
     sauce = replace(SIMMER if wet else COOK if whole else STIR)  # a fried piece that is stirred falls to pieces
+    return _in_a_sauce(sauce, joins, kinds)
+
+
+def _in_a_sauce(sauce: Stage, joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line in which coated flesh comes into a ``sauce`` of the rest; what lies on flesh comes on top.
+
+    Without a sauce all that coats nothing lies on it.
+    """
+    top = replace(TOP)
     over = [join for join in joins if join.want.facts.is_a(*word_list("lies on flesh"), *_BESIDE)]
     rest = [join for join in joins if join not in over]
     made, found = coated_apart(Line((sauce,)), [_at(join, sauce) for join in rest], kinds)
     if not any(join.spot.stage is made.stages[-1] for join in found):
         return coated_apart(Line((top,)), [replace(_at(join, top), on_top=True) for join in joins], kinds)
     return Line((*made.stages, top)), (*found, *(_at(join, top) for join in over))
+
+
+def _any_is(joins: Sequence[Join], *kinds: str) -> bool:
+    return any(join.want.facts.is_a(*kinds) for join in joins)
+
+
+def _raw_flesh(joins: Sequence[Join], kinds: Collection[str]) -> list[Join]:
+    return [join for join in joins if join.want.facts.is_a(*kinds) and not _is_done(join.want)]
+
+
+def _is_shaped(line: Line) -> bool:
+    return any("shape" in stage.does for one in _all(line) for stage in one.stages)
+
+
+def _cooks_others(joins: Sequence[Join], flesh: Sequence[Join], known: Tables) -> bool:
+    """Whether something has to be cooked beside the ``flesh`` and what coats it."""
+    others = [join for join in joins if join not in flesh and {"cook", "boil"} & owed(join.want, known)]
+    return any(not join.want.facts.is_a(*_WET, *_DRY) for join in others)
 
 
 def _is_done(want: Want) -> bool:
@@ -85,25 +102,17 @@ def _at(join: Join, stage: Stage) -> Join:
 
 def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _COATED) -> tuple[Line, tuple[Join, ...]]:
     """Return a line and its joins such that raw flesh is coated and fried by itself, where something coats it."""
-    flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not _is_done(join.want)]
-    minced = any(join.want.facts.is_a(*word_list("patties are made of")) for join in flesh)
-    shaped = minced and any("shape" in stage.does for one in _all(line) for stage in one.stages)
+    flesh = _raw_flesh(joins, kinds)
     dry = [join for join in joins if join.want.facts.is_a(*_DRY)]
+    shaped = _any_is(flesh, *word_list("patties are made of")) and _is_shaped(line)
     if shaped or len(flesh) != 1 or not dry:
         return line, tuple(joins)
-    wet = [join for join in joins if join.want.facts.is_a(*_WET) and join not in dry]
-    seasons = [join for join in joins if join.want.facts.is_a("spice") and join.want.facts.is_a("stock")]
-    seasons = [join for join in seasons if not join.want.facts.is_a("ready", "liquid", *_WHOLE)]
-    seasons += [join for join in joins if join.want.facts.is_a("leaven")]
-    wet += [join for join in joins if wet and join.want.facts.is_a(*word_list("seasons what coats"))]
-    fats = [join for join in joins if join.want.facts.is_a("fat")]
-    fat = [join for join in fats if join.want.facts.is_a("liquid")] or fats
-    egg = any(join.want.facts.is_a("egg") for join in wet)
-    flour = any(join.want.facts.is_a("flour") for join in dry)
-    wash = Line((replace(_MIX, label=_THICK if egg else ""),))
-    powder = Line((replace(_MIX, label=_FINE if flour else ""),))
-    outer = [join for join in dry if join.want.facts.is_a(*word_list("coats roughly"))]
-    dust = [join for join in dry if join not in outer] if outer and wet else []  # it lets the wash cling to it
+    wet = _what_wets(joins, dry)
+    dust = [join for join in dry if not join.want.facts.is_a(*_ROUGH)]  # it lets the wash cling to it
+    if len(dust) == len(dry) or not wet:
+        dust = []
+    wash = Line((replace(_MIX, label=_THICK if _any_is(wet, "egg") else ""),))
+    powder = Line((replace(_MIX, label=_FINE if _any_is(dry, "flour") else ""),))
     dusted = replace(_BATH)
     bathed = replace(_BATH, adds=(wash,))
     rolled = replace(_BATH, adds=(powder,))
@@ -111,8 +120,8 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     last = line.stages[-1]
     first = (dusted, bathed) if dust else (bathed,)
     served = replace(last, adds=(*last.adds, Line((*first, rolled, fried, turned, done))))
-    rest = [join for join in (*dry, *seasons) if join not in dust]
-    places = [(wet, wash.stages[0]), (rest, powder.stages[0]), ([*flesh, *dust], first[0]), (fat, fried)]
+    rest = [join for join in (*dry, *_what_seasons(joins)) if join not in dust]
+    places = [(wet, wash.stages[0]), (rest, powder.stages[0]), ([*flesh, *dust], first[0]), (_frying_fat(joins), fried)]
     after = (fried, turned, done, served)
     found = []
     for join in joins:
@@ -125,6 +134,26 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
         else:
             found.append(join)
     return Line((*line.stages[:-1], served)), tuple(found)
+
+
+def _what_wets(joins: Sequence[Join], dry: Sequence[Join]) -> list[Join]:
+    """Return what the wash is mixed of, with what seasons it; what is ``dry`` is none of that."""
+    wet = [join for join in joins if join.want.facts.is_a(*_WET) and join not in dry]
+    seasons = [join for join in joins if join.want.facts.is_a(*word_list("seasons what coats"))]
+    return [*wet, *seasons] if wet else []
+
+
+def _what_seasons(joins: Sequence[Join]) -> list[Join]:
+    """Return what is mixed into the powder: ground spices, and what makes it rise."""
+    spices = [join for join in joins if join.want.facts.is_a("spice") and join.want.facts.is_a("stock")]
+    ground = [join for join in spices if not join.want.facts.is_a("ready", "liquid", *_WHOLE)]
+    return [*ground, *(join for join in joins if join.want.facts.is_a("leaven"))]
+
+
+def _frying_fat(joins: Sequence[Join]) -> list[Join]:
+    """Return the fat in which it is fried: what is liquid, where any is."""
+    fats = [join for join in joins if join.want.facts.is_a("fat")]
+    return [join for join in fats if join.want.facts.is_a("liquid")] or fats
 
 
 def _all(line: Line) -> list[Line]:

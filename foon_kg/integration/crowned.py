@@ -79,7 +79,8 @@ def wedges_last(
     else:
         vessel, relation = ("bowl", "in") if spooned else ("plate", "on")
         top = Stage((), "", frozenset(), (), vessel, relation, "", "", "", (), last.step)
-        line = Line((*line.stages, top))
+        idle = only_carries(last) and not last.adds and not any(join.spot.stage is last for join in joins)
+        line = Line((*(line.stages[:-1] if idle else line.stages), top))  # it is brought to one place, and no further
     ending = (_ending(join, top, on_top=join in found) for join in joins)
     return line, tuple(replace(join, slot=None) if join.on_top else join for join in ending)
 
@@ -114,23 +115,28 @@ def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
     if plan.one_pot and (beside or _floats(facts, others)):
         return True
     wet = any(one.is_of(*word_list("is a bath")) and not one.is_a(*word_list("is no bath")) for one in others)
-    if (
-        wet
-        and want.make in word_list("is so by boiling")
-        and facts.is_a(*word_list("lies on what is wet when it is boiled"))
-    ):
+    boiled = want.make in word_list("is so by boiling")
+    if wet and boiled and facts.is_a(*word_list("lies on what is wet when it is boiled")):
         return True
     if want.cooked or want.squeezed or (want.make and (known.state(want.make).fine or 0) >= _POWDER):
         return False
+    return _lies_on(facts, others, wet=wet)
+
+
+def _lies_on(facts: Food, others: Sequence[Food], *, wet: bool) -> bool:
+    """Whether a food lies on a dish of ``others`` as it is: on what is cooked, tossed, eaten with a spoon, grated over.
+
+    ``wet`` says that there is a bath among them.
+    """
     tossed = any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
-    if facts.is_a(*word_list("lies on what is cooked")) or (
-        tossed and facts.is_a(*word_list("is strewn on what is tossed"))
-    ):
+    if facts.is_a(*word_list("lies on what is cooked")):
+        return True
+    if tossed and facts.is_a(*word_list("is strewn on what is tossed")):
         return True
     if facts.is_a(*word_list("lies on what is eaten with a spoon")):
-        return wet or any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
+        return wet or tossed
     bound = any(one.is_a(*word_list("binds what is grated over it")) for one in others)
-    return facts.is_a(*word_list("is grated over it")) and wet and not bound
+    return wet and not bound and facts.is_a(*word_list("is grated over it"))
 
 
 def _is_apart(want: Want) -> bool:

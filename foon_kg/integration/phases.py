@@ -175,30 +175,41 @@ class _Phaser:
         beside = [add for stage in run for add in stage.adds if isinstance(add, Line)]
         joins += [join for line in beside for join in self._taken_out(line)]
         within = [*joins, *(join for line in beside for join in self._foods(line))]
-        savoury = self.plan.one_pot or any(join.want.facts.is_a(*word_list("is cooked in phases")) for join in within)
-        savoury = savoury or _makes_a_sauce(within)
         hot = [stage for stage in run if "heat" in stage.does]
-        if not savoury or not hot or not self._is_over_heat(run[0]):
+        if not hot or not self._is_over_heat(run[0]) or not self._is_cooked_in_phases(within):
             return ()
         lines = [line for line in beside if self._foods(line)]
-        fats = [join for join in self.plan.joins if join.want.facts.is_a(*word_list("gives fat"))]
-        fat = any(join in within or join.want.facts.is_a("stock") for join in fats)
+        fat = self._has_fat(within)
         bath = any(_is_bath(one.want.facts) for one in (*joins, *(j for line in lines for j in self._bath_of(line))))
         water = None if bath else self._water(run, joins, fat=fat)
         bath = bath or water is not None
         if not fat and not bath:
-            fat = any(join.want.facts.is_a(*word_list("is flesh")) for join in joins)  # it fries without
-        if not fat and not bath:
-            return ()
-        apart = not self.plan.one_pot
-        comers = [_Comer(join, join.want.facts, _phase_in(join, fat=fat, bath=bath, apart=apart)) for join in joins] + [
-            _Comer(adds[id(add)], None, self._phase_of_line(add, bath=bath)) for add in lines
-        ]
+            if not any(join.want.facts.is_a(*word_list("is flesh")) for join in joins):
+                return ()
+            fat = True  # flesh fries without
+        comers = self._comers(joins, adds, lines, fat=fat, bath=bath)
         if water is not None:
             comers.insert(0, _Comer(water, None, _WET))
         parts = _parts(self._as_a_whole(comers, within, bath=bath), _ORDER if bath else _DRY_ORDER)
         small = bath or any(one.want.facts.is_a("egg", *word_list("is eaten with a sauce")) for one in within)
         return self._stages(run, hot, parts, bath=bath, small=small)
+
+    def _is_cooked_in_phases(self, foods: Sequence[Join]) -> bool:
+        savoury = self.plan.one_pot or any(join.want.facts.is_a(*word_list("is cooked in phases")) for join in foods)
+        return savoury or _makes_a_sauce(foods)
+
+    def _has_fat(self, within: Sequence[Join]) -> bool:
+        """Whether there is fat to fry in: among what comes together, or at hand in any kitchen."""
+        fats = [join for join in self.plan.joins if join.want.facts.is_a(*word_list("gives fat"))]
+        return any(join in within or join.want.facts.is_a("stock") for join in fats)
+
+    def _comers(
+        self, joins: Sequence[Join], adds: Mapping[int, Line], lines: Sequence[Line], *, fat: bool, bath: bool
+    ) -> list[_Comer]:
+        """Return what comes into the vessel, foods and ``lines``, each with its phase."""
+        apart = not self.plan.one_pot
+        foods = [_Comer(join, join.want.facts, _phase_in(join, fat=fat, bath=bath, apart=apart)) for join in joins]
+        return foods + [_Comer(adds[id(line)], None, self._phase_of_line(line, bath=bath)) for line in lines]
 
     def _foods(self, line: Line) -> list[Join]:
         return [
@@ -298,21 +309,24 @@ class _Phaser:
         for number, part in enumerate(parts):
             last = number == len(parts) - 1
             wet = bath and any(comer.phase == _WET and (comer.is_solid or comer.is_water) for comer in part)
-            pattern = hot[-1] if last and not wet else (simmers if wet else stirs) or hot[-1]
-            phase = _as_phase(pattern, part, run[-1] if last else None, bath=bath, small=small)
+            told = hot[-1] if last and not wet else simmers if wet else stirs
+            phase = _as_phase(told or hot[-1], part, run[-1] if last else None, bath=bath, small=small)
             dry = not bath and "liquid" in phase.does  # there is none
-            if dry or (wet and _thickens(parts[: number + 1])):  # which would be lumpy
+            lumpy = wet and _thickens(parts[: number + 1])
+            if dry or lumpy or (told is None and not wet):
                 phase = replace(phase, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
-            elif wet and simmers is None:
+            elif told is None:
                 phase = replace(phase, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
-            elif not last and not wet and stirs is None:
-                phase = replace(phase, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
             stages.append(phase)
-            for comer in part:
-                if isinstance(comer.what, Join):
-                    self.spot[comer.what.want.number] = phase
-                    self.order.append(comer.what.want.number)
+            self._place(part, phase)
         return tuple(stages)
+
+    def _place(self, part: Sequence[_Comer], phase: Phase) -> None:
+        """Let the foods of ``part`` join at ``phase``, in their order."""
+        for comer in part:
+            if isinstance(comer.what, Join):
+                self.spot[comer.what.want.number] = phase
+                self.order.append(comer.what.want.number)
 
 
 def _thickens(parts: Sequence[Sequence[_Comer]]) -> bool:

@@ -42,29 +42,36 @@ def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     A cook fries each in its turn, and tosses with it what was boiled. Nothing changes where eggs or flour bind it.
     """
     hot = next((place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)), 0)
-    facts = [join.want.facts for join in joins]
-    boiled = any(one.is_a(*word_list("is eaten with a sauce")) for one in facts)
-    flesh = any(one.is_a(*word_list("is flesh")) and "cook" in one.owes for one in facts)
-    wet = word_list("is cooked in for long") | word_list("is poured into the pan")
-    stewed = flesh and any(one.is_of(*wet) for one in facts)
-    bound = any(one.is_a("dough", "egg", "flour") or (one.is_a("creamy") and not stewed) for one in facts)
-    pan, before = line.stages[hot], line.stages[:hot]
+    pan, before, rest = line.stages[hot], line.stages[:hot], line.stages[hot + 1 :]
     cold = bool(before) and all(stage.does <= _MIXES for stage in before)
-    if not (boiled or stewed) or bound or not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does:
+    if not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does or not _is_fried_in_turn(joins):
         return line, tuple(joins)
-    stages = [stage for one in before for stage in Line((one,)).all_stages()]
     kept = tuple(add for one in before for add in one.adds if isinstance(add, Line) and _heats(add))
-    gone = [stage for stage in stages if not any(stage in add.all_stages() for add in kept)]
+    staying = [stage for add in kept for stage in add.all_stages()]
+    gone = [stage for one in before for stage in Line((one,)).all_stages() if stage not in staying]
     fresh = replace(pan, adds=(*kept, *pan.adds))
-    rest = tuple(line.stages[hot + 1 :])
-    found = []
-    for join in joins:
-        spot = join.spot
-        after = tuple(fresh if stage is pan else stage for stage in spot.after if not any(stage is g for g in gone))
-        there = spot.stage is pan or any(spot.stage is one for one in gone)
-        spot = replace(spot, stage=fresh, after=rest, side=False) if there else replace(spot, after=after)
-        found.append(replace(join, spot=spot, slot=None if there else join.slot))
-    return Line((fresh, *rest)), tuple(found)
+    found = tuple(_in_the_pan(join, pan, fresh, gone, rest) for join in joins)
+    return Line((fresh, *rest)), found
+
+
+def _is_fried_in_turn(joins: Sequence[Join]) -> bool:
+    """Whether foods are boiled for a sauce, or flesh is stewed in a liquid, and nothing binds them."""
+    facts = [join.want.facts for join in joins]
+    wet = word_list("is cooked in for long") | word_list("is poured into the pan")
+    flesh = any(one.is_a(*word_list("is flesh")) and "cook" in one.owes for one in facts)
+    stewed = flesh and any(one.is_of(*wet) for one in facts)
+    boiled = any(one.is_a(*word_list("is eaten with a sauce")) for one in facts)
+    bound = any(one.is_a("dough", "egg", "flour") or (one.is_a("creamy") and not stewed) for one in facts)
+    return (boiled or stewed) and not bound
+
+
+def _in_the_pan(join: Join, pan: Stage, fresh: Stage, gone: Sequence[Stage], rest: tuple[Stage, ...]) -> Join:
+    """Return a join that comes into ``fresh``, if it joined the ``pan`` or a stage that is gone; else it stays."""
+    spot = join.spot
+    if spot.stage is pan or any(spot.stage is one for one in gone):
+        return replace(join, spot=replace(spot, stage=fresh, after=rest, side=False), slot=None)
+    after = tuple(fresh if stage is pan else stage for stage in spot.after if not any(stage is g for g in gone))
+    return replace(join, spot=replace(spot, after=after))
 
 
 def fat_in_the_heat(joins: Sequence[Join]) -> tuple[Join, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from foon_kg.food import tables
@@ -47,22 +47,41 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
     They are returned as they are where there is nothing to mix, or where a machine makes the recorded dressing.
     """
     parts = [join for join in joins if is_poured_over(join.want, join.slot)]
-    rest = [join for join in joins if join not in parts]
-    runs = [join for join in parts if not _only_seasons(join)]
-    body = any(join.want.facts.is_a(*_BODY) for join in runs)
-    beside = {id(stage): stage for stage in _beside(line)}
-    cold = {number for number, stage in beside.items() if stage.does <= _BY_HAND or stage.does <= _BOILS}
-    own = all(join.slot is not None and id(join.spot.stage) in beside.keys() - cold for join in runs)
-    place = _last_mixing(line, rest)
+    place = _last_mixing(line, [join for join in joins if join not in parts])
     if place is None:
         return line, tuple(joins)
-    last = line.stages[place]
-    if len(runs) < _LEAST or not body or own:
-        boiled = {number for number, stage in beside.items() if stage.does <= _BOILS}
-        apart = (
-            _apart(join, last, line.stages[place + 1 :]) if id(join.spot.stage) in boiled else join for join in joins
-        )
+    beside = list(_beside(line))
+    if not _has_enough_to_pour(parts, beside):
+        boiled = {id(stage) for stage in beside if stage.does <= _BOILS}
+        last, later = line.stages[place], line.stages[place + 1 :]
+        apart = (_apart(join, last, later) if id(join.spot.stage) in boiled else join for join in joins)
         return _at_once(line, place, tuple(apart), parts)
+    cold = {id(stage) for stage in beside if _is_cold(stage)}
+    return _tossed(line, place, joins, parts, cold)
+
+
+def _is_cold(stage: Stage) -> bool:
+    """Whether a stage is done by hand, or is only boiled for what is eaten cold."""
+    return stage.does <= _BY_HAND or stage.does <= _BOILS
+
+
+def _has_enough_to_pour(parts: Sequence[Join], beside: Sequence[Stage]) -> bool:
+    """Whether ``parts`` are enough for a dressing, and no machine makes the recorded one ``beside`` the dish."""
+    runs = [join for join in parts if not _only_seasons(join)]
+    body = any(join.want.facts.is_a(*_BODY) for join in runs)
+    by_machine = {id(stage) for stage in beside if not _is_cold(stage)}
+    own = all(join.slot is not None and id(join.spot.stage) in by_machine for join in runs)
+    return len(runs) >= _LEAST and body and not own
+
+
+def _tossed(
+    line: Line, place: int, joins: Sequence[Join], parts: Sequence[Join], cold: Collection[int]
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that gathers foods up to ``place``, mixes the dressing of ``parts``, and tosses all with it.
+
+    ``cold`` are the stages beside it (by ``id``) whose foods come to the others by themselves.
+    """
+    last, later = line.stages[place], line.stages[place + 1 :]
     before = {id(one): _without_work(one) for one in line.stages[: place + 1] if _is_mixing(one)}
     gathered = before[id(last)] = _without_work(last)
     over = replace(_MIXING, step=last.step)
@@ -70,19 +89,19 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
     tossed = replace(mixes, adds=(Line((over,)),))
     found = []
     for join in joins:
-        stage, fit = join.spot.stage, min(join.fit, NATURAL)
-        still = before.get(id(stage))
+        stage = join.spot.stage
         if join in parts:
-            found.append(replace(join, spot=replace(join.spot, stage=over, after=(tossed,), side=True), fit=fit))
-        elif still is not None:
+            spot = replace(join.spot, stage=over, after=(tossed,), side=True)
+            found.append(replace(join, spot=spot, fit=min(join.fit, NATURAL)))
+        elif (still := before.get(id(stage))) is not None:
             found.append(replace(join, spot=replace(join.spot, stage=still)))
         elif id(stage) in cold or (join.slot is None and "blend" in stage.does):
-            found.append(_apart(join, gathered, (tossed, *line.stages[place + 1 :])))
+            found.append(_apart(join, gathered, (tossed, *later)))
         else:
             found.append(join)
     joined = {id(join.spot.stage) for join in found}
     first = [before.get(id(one), one) for one in line.stages[:place] if one.does != {"wait"} or id(one) in joined]
-    return Line((*first, gathered, tossed, *line.stages[place + 1 :])), tuple(found)
+    return Line((*first, gathered, tossed, *later)), tuple(found)
 
 
 def _at_once(line: Line, place: int, joins: tuple[Join, ...], parts: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:

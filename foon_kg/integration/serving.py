@@ -52,33 +52,40 @@ class Serving:
         slices = [join for join in joins if join.want.facts.is_a(*_SLICES)]
         fats = [join for join in joins if self.plan.grilled and join.want.facts.is_a("fat")]
         rest = [join for join in joins if join not in slices and join not in fats]
-        mixed = self._bound(rest)
         bowl = self.bench.vessel("bowl")
-        for join in mixed:
-            self._bring(join, bowl)
-        if len(mixed) > 1:
-            self.bench.work(bowl, self.work.stirring(foods_of(bowl)), _MIXED, ("mixed",), with_device=False)
-        below = [*lines, vessel] if plate is not vessel else [*lines]
-        mixed += self._stirred_in([one for one in below if one is not None], [j for j in rest if j not in mixed])
+        mixed = self._mix_what_binds(rest, bowl)
+        below = [one for one in (*lines, None if plate is vessel else vessel) if one is not None]
+        mixed += self._stirred_in(below, [join for join in rest if join not in mixed])
         closing = [join for join in slices if self._lay_below(join, plate)]
         smeared = [join for join in rest if join not in mixed and self._is_smeared(join)]
         for join in smeared:
             self._smear(join, plate)
         for one in (*below, bowl):
-            if one is not None and one.contents:
+            if one.contents:
                 self.bench.heat_off(one)
                 self.carry.transfer(one, plate, stage)
-        there = frozenset().union(*(stuff.wants for stuff in plate.contents))
-        rest.sort(key=lambda join: not join.want.facts.is_a(*word_list("melts on what is hot")))
-        for join in rest:
-            fat = join.want.facts.is_a("fat") and join.want.number in there
-            if join not in mixed and join not in smeared and not fat:
-                self._bring(join, plate)
+        self._lay_on(plate, [join for join in rest if join not in mixed and join not in smeared])
         for join in closing:
             self._bring(join, plate)
         self.work.name(plate, self.plan.label)
         self._close(plate)
         return self._heat_through(plate, fats, stage) if self.plan.grilled else plate
+
+    def _mix_what_binds(self, joins: Sequence[Join], bowl: Vessel) -> list[Join]:
+        """Mix pieces with the spread that binds them in a bowl; return what is mixed there."""
+        mixed = self._bound(joins)
+        for join in mixed:
+            self._bring(join, bowl)
+        if len(mixed) > 1:
+            self.bench.work(bowl, self.work.stirring(foods_of(bowl)), _MIXED, ("mixed",), with_device=False)
+        return mixed
+
+    def _lay_on(self, plate: Vessel, joins: Sequence[Join]) -> None:
+        """Lay foods on what is on a plate, first what melts on it; fat that came along in what was made is there."""
+        there = frozenset().union(*(stuff.wants for stuff in plate.contents))
+        for join in sorted(joins, key=lambda join: not join.want.facts.is_a(*word_list("melts on what is hot"))):
+            if not (join.want.facts.is_a("fat") and join.want.number in there):
+                self._bring(join, plate)
 
     def _close(self, plate: Vessel) -> None:
         """Roll or fold bread around what lies on it, where the dish is called so and the FOON shows how."""

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from foon_kg.food import Match, is_unbaked, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
-from foon_kg.model import ObjectNode
+from foon_kg.food.told_states import in_turn
+from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.validation.case import Case, names, was_taken_out
 from foon_kg.validation.named import unheeded
 from foon_kg.validation.report import Finding
@@ -34,18 +35,28 @@ def defined(case: Case) -> Iterator[Finding]:
     title = case.recipe.title or "" if case.recipe else ""
     for lack in missing(case, case.goal.label, *case.dish_types, title):
         yield Finding("K5", f"“{case.goal.label}” without {lack}", None, (case.goal,))
-    cold = any(dish.heated is False and not dish.is_type for dish in case.tables.dishes_named(title))
-    cold = cold or not word_list("is never hot").isdisjoint(words(title))
-    for dish in case.tables.dishes_named(case.goal.label, *case.dish_types, title) if not cold else ():
-        warm = _is_asked(case, dish) or is_unbaked(title) or any(part.heated is not None for part in case.parts)
-        if dish.heated and not warm:
-            yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
-    if case.recipe and not cold:
-        yield from _raw_sauce(case, case.goal, title)
+    if not _is_never_hot(case, title):
+        yield from _unheated(case, case.goal, title)
+        if case.recipe:
+            yield from _raw_sauce(case, case.goal, title)
     for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), title):
         bought = any(part.food.is_a(dish.name) for part in case.parts)  # bread that somebody dips was baked before
         if dish.baked and not bought and not _baked(case) and not is_unbaked(title):
             yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (case.goal,))
+
+
+def _is_never_hot(case: Case, title: str) -> bool:
+    """Whether a dish is called as one that is cold."""
+    cold = any(dish.heated is False and not dish.is_type for dish in case.tables.dishes_named(title))
+    return cold or not word_list("is never hot").isdisjoint(words(title))
+
+
+def _unheated(case: Case, goal: ObjectNode, title: str) -> Iterator[Finding]:
+    """Yield the names of the dish that are those of hot dishes, where nothing in it was heated."""
+    for dish in case.tables.dishes_named(goal.label, *case.dish_types, title):
+        warm = _is_asked(case, dish) or is_unbaked(title) or any(part.heated is not None for part in case.parts)
+        if dish.heated and not warm:
+            yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (goal,))
 
 
 def _raw_sauce(case: Case, goal: ObjectNode, title: str) -> Iterator[Finding]:
@@ -161,10 +172,17 @@ def asked(case: Case) -> Iterator[Finding]:
 
 
 def _for_serving(case: Case) -> frozenset[str]:
-    """Return the foods of which the recipe says that they are served with the dish, and nothing else."""
+    """Return the foods of which the recipe says that they are served with the dish, and nothing else (not roasted)."""
     said = word_list("is for what is done")
-    inside = {singular(wanted.object) for wanted in case.required if wanted.part not in said}
+    inside = {
+        singular(wanted.object) for wanted in case.required if wanted.part not in said or _is_asked_hot(case, wanted)
+    }
     return frozenset(case.required_names - inside)
+
+
+def _is_asked_hot(case: Case, wanted: RequiredIngredient) -> bool:
+    """Whether a recipe asks a food in a state that only heat gives."""
+    return any(case.tables.state(state).needs_heat for state in in_turn(wanted.state))
 
 
 def _is_cooked_for_nothing(parts: Sequence[Part]) -> bool:

@@ -190,7 +190,10 @@ def read_asked(line: Line) -> tuple[RequiredIngredient, ...]:
 def _read_wanted(line: Line) -> RequiredIngredient:
     food, state = line.name(), ""
     if line.take("("):
-        state = line.name()
+        states = [line.name()]
+        while line.take(","):
+            states.append(line.name())
+        state = ", ".join(states)
         line.expect(")")
     return RequiredIngredient(food, state)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 
 from foon_kg.food import Food, Tables, words
@@ -27,18 +27,25 @@ def can_become(known: Tables, one: Said, sources: Sequence[Lump]) -> bool:
     parts = [part.food for lump in sources for part in lump.parts]
     if not parts:
         return False
-    for needs in known.contains.get(one.label, ()):
-        if not any(_meets(need, food, known) for need in needs for food in parts):
-            return False
+    if not all(_has_one(needs, parts, known) for needs in known.contains.get(one.label, ())):
+        return False
     if is_product(known, one) or one.names:
         return True
     facts = known.foods.food(one.label, one.node.states)
     if not facts.known or one.label in known.contains or facts.is_a("remains") or one.remains:
         return True
-    own = set(words(one.label))
-    if any(own & set(food.name.split()) for food in parts) or any(own & name for name in _names(sources)):
+    if _shares_a_word(one.label, parts, sources):
         return True
     return any(food.kind == facts.kind or food.kind in facts.kinds or facts.kind in food.kinds for food in parts)
+
+
+def _has_one(needs: Iterable[str], parts: Sequence[Food], known: Tables) -> bool:
+    return any(_meets(need, food, known) for need in needs for food in parts)
+
+
+def _shares_a_word(label: str, parts: Sequence[Food], sources: Sequence[Lump]) -> bool:
+    own = set(words(label))
+    return any(own & set(food.name.split()) for food in parts) or any(own & name for name in _names(sources))
 
 
 def _names(sources: Sequence[Lump]) -> list[set[str]]:

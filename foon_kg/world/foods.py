@@ -187,23 +187,27 @@ def _may_become(out: Outcome, one: Said, sources: Sequence[Lump]) -> bool:
 
 
 def _sources(out: Outcome, one: Said, where: Vessel | None) -> list[Lump]:
+    """Return the foods of which an output may be made: those that went in, and what is in the vessels that did."""
     outputs = {other.label for other in out.said if other.utensil is None}
-    explicit = [lump for lump in out.happening.inputs if lump.label not in outputs and not lump.gone]
+    going_in = [lump for lump in out.happening.inputs if not lump.gone]
+    explicit = [lump for lump in going_in if lump.label not in outputs]
     if not explicit:
-        explicit = [lump for lump in out.happening.inputs if lump.label != one.label and not lump.gone]
+        explicit = [lump for lump in going_in if lump.label != one.label]
     found = list(explicit)
     works = out.happening.does(*WORKS) or is_product(out.tables, one)
     for vessel in out.happening.vessels:
-        for lump in vessel.lumps:
-            if lump in found or lump.label in outputs:
-                continue
-            wanted = not one.names.isdisjoint(lump.names | {part.name for part in lump.parts})
-            if wanted or (works and (vessel is where or not explicit)):
-                found.append(lump)
+        takes_all = works and (vessel is where or not explicit)
+        held = [lump for lump in vessel.lumps if lump.label not in outputs]
+        found += [lump for lump in held if lump not in found and (takes_all or _is_named(one, lump))]
     found += [rider for lump in explicit for rider in lump.riders if rider not in found and not rider.gone]
     if where is not None and works:
         found += [lump for lump in where.lumps if lump not in found and lump.label not in outputs]
     return found
+
+
+def _is_named(one: Said, lump: Lump) -> bool:
+    """Whether an output names a food, or a part of it, among its ingredients."""
+    return not one.names.isdisjoint(lump.names | {part.name for part in lump.parts})
 
 
 def _join_all(out: Outcome, lump: Lump) -> None:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
 from foon_kg.food import Tables, Utensil, singular
+from foon_kg.food.rows import State
 from foon_kg.model import ObjectNode
 
 _NOT_IN = frozenset({"with", "contains", "covered", "covering", "coated"})
@@ -80,9 +82,7 @@ class Reader:
         label = singular(node.label)
         utensil = self.utensil(label)
         names = frozenset(name for name in map(singular, node.ingredients) if self.utensil(name) is None)
-        held = node.container is not None and (node.relation in _NOT_IN or (utensil and node.relation == "under"))
-        told = _place_in_states(node) if node.container is None or held or node.relation == "from" else None
-        place = told or (None if node.container is None or held else singular(node.container))
+        place, holder = self._place_of(node, utensil)
         states = [state.lower() for state in node.states]
         claims = self.tables.utensil_states
         rows = [self.tables.state(state) for state in node.states] if utensil is None else []
@@ -94,19 +94,32 @@ class Reader:
             names,
             place,
             None if place is None else self.utensil(place),
-            singular(node.container) if held and node.container is not None else None,
+            holder,
             empty=not names and any("empty" in state for state in states),
-            on=any(state in claims["on"] for state in states),
-            off=any(state in claims["off"] for state in states),
-            hot=any(state in claims["hot"] for state in states),
+            on=not claims["on"].isdisjoint(states),
+            off=not claims["off"].isdisjoint(states),
+            hot=not claims["hot"].isdisjoint(states),
             covered=any(state.partition(" [")[0] in claims["closed"] for state in states) or node.relation == "covered",
-            uncovered=any(state in claims["open"] for state in states),
-            undivided=bool(rows) and any(row.undivided for row in rows) and not any(fine),
-            remains=any("remains" in row.earns for row in rows)
-            or (utensil is None and self.tables.foods.food(node.label, node.states).is_a("remains")),
+            uncovered=not claims["open"].isdisjoint(states),
+            undivided=any(row.undivided for row in rows) and not any(fine),
+            remains=self._remains(node, utensil, rows),
             fine=max(fine, default=None),
             earns=frozenset().union(*(row.earns for row in rows)) - {"remains"},
         )
+
+    def _place_of(self, node: ObjectNode, utensil: Utensil | None) -> tuple[str | None, str | None]:
+        """Return where a node is, and what it is held to without being in it or on it; one of them at most."""
+        held = node.container is not None and (node.relation in _NOT_IN or (utensil and node.relation == "under"))
+        if held and node.container is not None:
+            return _place_in_states(node), singular(node.container)
+        told = _place_in_states(node) if node.container is None or node.relation == "from" else None
+        return told or (None if node.container is None else singular(node.container)), None
+
+    def _remains(self, node: ObjectNode, utensil: Utensil | None, rows: Sequence[State]) -> bool:
+        """Whether a node is what is left of a food, by its states or by its name."""
+        if any("remains" in row.earns for row in rows):
+            return True
+        return utensil is None and self.tables.foods.food(node.label, node.states).is_a("remains")
 
 
 def _place_in_states(node: ObjectNode) -> str | None:

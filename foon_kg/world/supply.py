@@ -107,18 +107,14 @@ class Supply:
 
     def _empty(self, there: list[Vessel], said: Said, happening: Happening) -> Vessel:
         placed = [v for v in there if said.place is None or (v.where is not None and v.where.label == said.place)]
-        if said.empty or (said.utensil is not None and said.utensil.role == "tool"):
-            clean = [v for v in placed if not v.lumps] or [v for v in there if not v.lumps and said.place is None]
-            if clean:
-                return max(clean, key=lambda v: v.last)
-            on_heat = next(
-                (v for v in placed if said.empty and said.place and v.lumps and v.where and v.where.is_appliance), None
-            )
-            if on_heat is not None:
-                happening.fault("W1", f"it holds {_names(on_heat.names)} there, and is said to be empty", said.node)
-            return self._stand(self.fresh(said.label), said)
-        if placed:
-            return max(placed, key=lambda v: v.last)
+        if not said.empty and (said.utensil is None or said.utensil.role != "tool"):
+            return max(placed, key=lambda v: v.last) if placed else self._stand(self.fresh(said.label), said)
+        clean = [v for v in placed if not v.lumps] or [v for v in there if not v.lumps and said.place is None]
+        if clean:
+            return max(clean, key=lambda v: v.last)
+        full = next((v for v in placed if v.lumps and v.where and v.where.is_appliance), None)
+        if full is not None and said.empty and said.place:
+            happening.fault("W1", f"it holds {_names(full.names)} there, and is said to be empty", said.node)
         return self._stand(self.fresh(said.label), said)
 
     def _stand(self, vessel: Vessel, said: Said) -> Vessel:

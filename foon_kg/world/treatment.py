@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import State
 from foon_kg.world import power
 from foon_kg.world.happening import Happening
 from foon_kg.world.reading import Said
@@ -149,23 +150,27 @@ def _claimed(said: Said, fresh: Sequence[str], lump: Lump | None, supply: Supply
         return
     for state in fresh:
         row = supply.reader.tables.state(state)
-        if row.sold or not (row.earns or row.fine):
-            continue
-        if row.before and not any(one in part.states for part in lump.parts for one in row.before):
-            happening.fault(
-                "K7", f"it is {state}, and it was never {' or '.join(sorted(row.before))}", said.node, minor=True
-            )
-        missing = sorted(row.earns - {"remains"} - set().union(*(part.done for part in lump.parts)))
-        if missing and row.needs_heat and (happening.does("heat", "warm") or _is_over_heat(lump)):
-            continue
-        if missing and _can_give(state, happening):
-            for part in lump.parts:
-                part.done |= dict.fromkeys(ADVISED.intersection(missing), happening.number)
-            continue
-        if missing:
-            happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
-        elif happening.motion.known and happening.motion.gives and not _can_give(state, happening):
+        if not row.sold and (row.earns or row.fine):
+            _claimed_so(said, state, row, lump, happening)
+
+
+def _claimed_so(said: Said, state: str, row: State, lump: Lump, happening: Happening) -> None:
+    """Tell one fresh state that the motion cannot give, or that nothing earned; what is advised anyway is counted."""
+    if row.before and not any(one in part.states for part in lump.parts for one in row.before):
+        never = " or ".join(sorted(row.before))
+        happening.fault("K7", f"it is {state}, and it was never {never}", said.node, minor=True)
+    missing = sorted(row.earns - {"remains"} - set().union(*(part.done for part in lump.parts)))
+    if not missing:
+        if happening.motion.known and happening.motion.gives and not _can_give(state, happening):
             happening.fault("K4", f"“{happening.step.motion}” does not make it {state}", said.node, minor=True)
+        return
+    if row.needs_heat and (happening.does("heat", "warm") or _is_over_heat(lump)):
+        return
+    if not _can_give(state, happening):
+        happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
+        return
+    for part in lump.parts:
+        part.done |= dict.fromkeys(ADVISED.intersection(missing), happening.number)
 
 
 def _is_over_heat(lump: Lump) -> bool:

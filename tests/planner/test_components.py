@@ -166,3 +166,19 @@ def test_a_pot_roast_is_braised_with_all_that_is_around_it(steps):
         "beef broth:liquid", "bay leaf:dried",
     )  # fmt: skip
     assert {"chuck roast", "onion", "carrot", "potato", "beef broth"} <= inside(told, "simmer")
+
+
+def test_what_is_asked_roasted_for_serving_is_roasted_by_itself(steps):
+    told = steps(
+        "soup",
+        "Squash Soup",
+        "squash:cubed",
+        "vegetable broth:liquid",
+        "onion:chopped",
+        "peanut:roasted, chopped:serving",
+    )
+    heated = [
+        inputs for inputs, motion, _ in told if "peanut" in inputs and motion in {"toast", "roast", "bake", "cook"}
+    ]
+    assert heated
+    assert not any({"squash", "onion"} & inputs for inputs in heated)

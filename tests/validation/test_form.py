@@ -290,6 +290,14 @@ def test_c4_a_required_state_that_never_was():
     ]
 
 
+@pytest.mark.parametrize(
+    ("states", "never"), [("whole, sliced", ""), ("boiled, sliced", "boiled"), ("sliced, diced", "diced")]
+)
+def test_c4_each_of_several_required_states_was_there(states, never):
+    said = [f"C4: no node of the tree is tomato in the state “{never}”, as required"] if never else []
+    assert found("C4", asked(f"tomato ({states})")) == said
+
+
 def test_c4_a_forgotten_food_is_told_as_no_node_and_as_not_in_the_goal():
     assert found("C4", asked("tomato (sliced); onion")) == [
         "C4: no node of the tree is onion, as required",
