@@ -138,19 +138,18 @@ def arriving(snapshot: Snapshot, questions: list[Asked], options: argparse.Names
 
 
 def ask_as_they_come(port: int, questions: list[Asked], rate: float, clients: int) -> list[tuple[int, float]]:
-    """Ask the questions at their times, ``rate`` a second, over as many connections as that takes."""
+    """Ask the questions at their times, ``rate`` a second, each over a connection of its own."""
     begun = time.perf_counter() + 0.5
-    local = threading.local()
 
     def ask(number: int) -> tuple[int, float]:
         due = begun + number / rate
         time.sleep(max(0.0, due - time.perf_counter()))
-        if not hasattr(local, "line"):
-            local.line = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
+        line = http.client.HTTPConnection("127.0.0.1", port, timeout=120)  # one that was idle may be closed
         body = json.dumps({"dish_type": questions[number][0], "ingredients": questions[number][1]})
-        local.line.request("POST", "/api/plan", body, {"Content-Type": "application/json"})
-        answer = local.line.getresponse()
+        line.request("POST", "/api/plan", body, {"Content-Type": "application/json"})
+        answer = line.getresponse()
         answer.read()
+        line.close()
         return answer.status, time.perf_counter() - due
 
     with ThreadPoolExecutor(max(clients, 64)) as pool:  # a thread that sleeps is one that does not wait in line
