@@ -22,7 +22,8 @@ from foon_kg.integration.crowned import crowned
 from foon_kg.integration.frames import BATH, Asked, Line, Phase, Stage
 from foon_kg.integration.operators import Attested, form_of
 from foon_kg.integration.phases import in_phases
-from foon_kg.integration.preparation import Preparer, Ready
+from foon_kg.integration.preparation import Ready
+from foon_kg.integration.preparer import Preparer
 from foon_kg.integration.serving import Serving
 from foon_kg.integration.spots import Join, only_carries
 from foon_kg.integration.utensils import Utensils
