@@ -114,8 +114,9 @@ class Alone:
         want, spot = join.want, join.spot
         due = {"cook", "boil"} & owed(want, self.known)
         first = self._made_otherwise(join) if due or want.cooked else self._warmed_first(join)
-        if first or not (due or want.cooked):
-            return first
+        before = want.cooked and want.asked in word_list("only what was cooked is so") and not self._pours(want)
+        if first or before or not (due or want.cooked):
+            return first or (self._usual_cooking(want) if before else ())
         in_turn = isinstance(spot.stage, Phase) and "boil" not in due and not want.cooked and not want.then
         in_turn = in_turn and not self._is_cut_of_its_shell(want) and not self.preparer.is_mashed_raw(want)
         if in_turn or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):

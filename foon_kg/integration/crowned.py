@@ -79,7 +79,8 @@ def wedges_last(
     else:
         vessel, relation = ("bowl", "in") if spooned else ("plate", "on")
         top = Stage((), "", frozenset(), (), vessel, relation, "", "", "", (), last.step)
-        line = Line((*line.stages, top))
+        idle = only_carries(last) and not last.adds and not any(join.spot.stage is last for join in joins)
+        line = Line((*(line.stages[:-1] if idle else line.stages), top))  # it is brought to one place, and no further
     ending = (_ending(join, top, on_top=join in found) for join in joins)
     return line, tuple(replace(join, slot=None) if join.on_top else join for join in ending)
 

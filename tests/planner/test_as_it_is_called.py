@@ -340,3 +340,20 @@ def test_cheese_comes_over_the_sauce_that_it_browns_on(steps):
                  "marinara sauce:thick liquid")  # fmt: skip
     comes_at = [comes(told, food, "baking dish") for food in ("marinara sauce", "jumbo shells", "mozzarella")]
     assert comes_at == sorted(comes_at)
+
+
+def test_what_is_asked_cold_was_cooked_before(steps):
+    told = steps("potatoes", "Fried Potatoes", "potatoes:cooled", "bacon:chopped", "onion:diced", "butter:unmelted")
+    assert first(told, "potatoes", "boil") < motions(told).index("melt")
+
+
+def test_beer_bread_is_stirred_and_its_butter_comes_over_it(steps):
+    told = steps("bread", "Beer Bread", "self-rising flour:powder", "sugar:granulated", "beer:liquid", "butter:melted")
+    assert not {"blend", "beat"} & set(motions(told))
+    assert first(told, "beer", "stir") < comes(told, "butter", "loaf pan") < motions(told).index("bake")
+
+
+def test_what_is_served_with_wedges_is_brought_to_one_place_only(steps):
+    told = steps("potatoes", "Lemon Roasted Potatoes", "russet potatoes:cut", "olive oil:liquid",
+                 "chicken broth:liquid", "garlic:minced", "Lemon wedges:wedge")  # fmt: skip
+    assert not [inputs for inputs, _, _ in told if {"bowl", "plate"} <= inputs]
