@@ -161,7 +161,7 @@ class Placing:
         self.bench.place(vessel, device, relation)
 
     def is_lit_first(self, oven: str, stages: Sequence[Stage]) -> bool:
-        """Return whether an ``oven`` that is off is lit first of all: nothing has to wait before a dish comes into it."""
+        """Return whether an ``oven`` that is off is lit first of all: nothing waits before a dish comes into it."""
         row = self.known.utensil(oven)
         if row is None or row.source != "heat" or oven in self.bench.devices:
             return False
