@@ -51,7 +51,7 @@ class Preparer(Cutter):
         pieces = self._comes_in_pieces(want, cut)
         worked = pieces and self._way_so(want, cut) is not None
         pieces = pieces and not worked
-        ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], "" if pieces else want.storage))
+        ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], want.storage))
         if want.bought_so:
             ready.assumptions.append(f"no step of this FOON makes {want.label} {', '.join(want.leaf)}: it is bought so")
         if want.foamed:
