@@ -86,8 +86,8 @@ def _is_so(state: str, states: Iterable[str]) -> bool:
 def _holds(term: str, label: str, facts: Food, around: Around) -> bool:
     """Whether a food is what one term means: the marks before it are those of ``techniques.toml``, which says each.
 
-    ``!`` not, ``%`` another food, ``#`` a word of the label, ``^`` the title, ``@`` a list, ``*`` any food; else it is a
-    kind, a trait or a name.
+    ``!`` not, ``%`` another food, ``#`` a word of the label, ``^`` the title, ``@`` a list, ``*`` any food; else it is
+    a kind, a trait or a name.
     """
     mark, rest = term[0], term[1:]
     if mark == "!":
