@@ -28,6 +28,7 @@ _MOST_NAMED = 4096
 """For how many texts the dishes in them are remembered."""
 
 _QUOTED = re.compile(r'["\u201c\u2018][^"\u201d\u2019]+["\u201d\u2019]')
+_FOR = re.compile(r"\s+for\s+", re.IGNORECASE)
 
 
 class Tables:
@@ -169,7 +170,9 @@ class Tables:
     def _dishes_named(self, texts: tuple[str, ...]) -> tuple[Dish, ...]:
         found: dict[str, Dish] = {}
         for text in texts:
-            own = words(_QUOTED.sub(" ", text))  # “tuna” in quotes is none
+            own = words(
+                _QUOTED.sub(" ", _FOR.split(text)[0] or text)
+            )  # “tuna” in quotes is none, nor a sauce for steak
             for length in range(len(own), 0, -1):
                 for start in range(len(own) - length + 1):
                     name = " ".join(own[start : start + length])

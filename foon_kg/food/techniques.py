@@ -39,6 +39,7 @@ class Around:
 
 
 NOWHERE = Around()
+"""A food that is asked by itself: no other is there, and no title."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,10 @@ class Foods:
         return self.terms == ("*",)
 
     def mean(self, label: str, facts: Food, states: Iterable[str], around: Around = NOWHERE) -> bool:
-        """Whether a food is meant that is called ``label``, of which any of ``states`` is said, in a recipe."""
+        """Return whether a food is meant: it is called ``label``, and in ``states``, beside what is ``around`` it.
+
+        ``facts`` are what the table of foods says of it.
+        """
         if self.state and not all(_is_so(state, states) for state in self.state.split("&")):
             return False
         return all(_holds(term, label, facts, around) for term in self.terms)
@@ -80,6 +84,11 @@ def _is_so(state: str, states: Iterable[str]) -> bool:
 
 
 def _holds(term: str, label: str, facts: Food, around: Around) -> bool:
+    """Whether a food is what one term means: the marks before it are those of ``techniques.toml``, which says each.
+
+    ``!`` not, ``%`` another food, ``#`` a word of the label, ``^`` the title, ``@`` a list, ``*`` any food; else it is
+    a kind, a trait or a name.
+    """
     mark, rest = term[0], term[1:]
     if mark == "!":
         return not _holds(rest, label, facts, around)

@@ -12,7 +12,8 @@ from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS, MIXES, Course
 from foon_kg.integration.frames import Phase, Stage
 from foon_kg.integration.operators import Attested, Nearness, Way, form_of
-from foon_kg.integration.preparation import Preparer, Ready, Want, owed
+from foon_kg.integration.preparation import Ready, Want, owed
+from foon_kg.integration.preparer import Preparer
 from foon_kg.integration.spots import Join, Spot
 
 _MUCH_ALIKE = 0.8

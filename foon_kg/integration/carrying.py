@@ -12,7 +12,8 @@ from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_
 from foon_kg.integration.course import Plan
 from foon_kg.integration.frames import Slot, Stage
 from foon_kg.integration.operators import Attested, Way, form_of, is_liquid_fat
-from foon_kg.integration.preparation import Preparer, Ready, Want
+from foon_kg.integration.preparation import Ready, Want
+from foon_kg.integration.preparer import Preparer
 from foon_kg.world.running import is_runny
 
 _TAP, _JUG = "faucet", "measuring cup"

@@ -317,3 +317,10 @@ def test_a_bar_of_chocolate_is_cut_and_what_is_sold_in_pieces_is_not():
     bar, chip = TABLES.foods.food("dark chocolate"), TABLES.foods.food("white chocolate chip")
     assert ("cut" in bar.owes, bar.sold_as) == (True, "bar")
     assert ("cut" in chip.owes, chip.sold_as, chip.is_of("chocolate")) == (False, "pieces", True)
+
+
+def test_what_a_dish_is_for_does_not_name_it():
+    named = [dish.name for dish in tables().dishes_named("sauce", "Peppercorn Sauce for Steak")]
+    assert "sauce" in named
+    assert "steak" not in named
+    assert [dish.name for dish in tables().dishes_named("Steak for Two")] == ["steak"]

@@ -357,3 +357,9 @@ def test_what_is_served_with_wedges_is_brought_to_one_place_only(steps):
     told = steps("potatoes", "Lemon Roasted Potatoes", "russet potatoes:cut", "olive oil:liquid",
                  "chicken broth:liquid", "garlic:minced", "Lemon wedges:wedge")  # fmt: skip
     assert not [inputs for inputs, _, _ in told if {"bowl", "plate"} <= inputs]
+
+
+def test_what_is_taken_in_pieces_that_nobody_makes_comes_out_of_what_it_is_sold_in(steps):
+    told = steps("salad", "Caesar Salad", "romaine lettuce:torn", "anchovy fillets:mashed", "olive oil:liquid",
+                 "lemon juice:juice", "parmesan cheese:shaved")  # fmt: skip
+    assert [inputs for inputs, _, _ in told if {"anchovy fillets", "can"} <= inputs]

@@ -31,6 +31,10 @@ ALLOWED = {
     "planning.cluster": {"spread_over"},
     "store.snapshot": {"Snapshot"},  # the whole FOON in memory, as Foon.snapshot returns it
     "store.vocabulary": {"states_made"},
+    "store.with_drafts": {"WithDrafts"},  # as Foon.with_drafts returns it
+    "store.settings": {"ConnectionSettings"},  # where a FOON is: a value
+    "store.graph.overview": None,  # what is asked of the view that Foon.reading_graph opens
+    "store.graph.rows": {"NamesLikeRow", "node_of"},  # what such a view answers
     "store.graph.free_cypher": {"Answer"},  # what Foon.cypher returns
     "validation": None,  # the judge: it knows nothing of planning, and is asked of trees of anybody
 }

@@ -34,6 +34,7 @@ def frame_of(text: str) -> Frame:
 
 
 def _plain(value: object) -> object:
+    """Return a value as JSON has it: of a dataclass its name and fields, of a set its sorted members."""
     if is_dataclass(value) and not isinstance(value, type):
         return {type(value).__name__: [_plain(getattr(value, field.name)) for field in fields(value)]}
     if isinstance(value, tuple):
@@ -119,7 +120,7 @@ class Joins:
         self.cooked: Counter[tuple[str, str]] = Counter()
 
     def count(self, frames: Iterable[Frame], weight: int = 1) -> None:
-        """Add what ``frames`` show, each ``weight`` times."""
+        """Add what ``frames`` show, each ``weight`` times; -1 takes back what was counted of them before."""
         for frame in frames:
             for spot in spots_of(frame.line):
                 slots = list(spot.stage.slots)
@@ -132,7 +133,7 @@ class Joins:
                             self.beside[slot.kind, other.kind] += weight
 
     def rows(self) -> dict[str, list[dict[str, Any]]]:
-        """Return the parameters of ``cypher/count_joins.cypher``."""
+        """Return the parameters of ``cypher/count_joins.cypher``: what changed, and not what was taken back again."""
         return {
             "posts": [
                 {"kind": KIND + kind, "dish_type": dish_type, **_post(post), "count": count}
@@ -157,6 +158,7 @@ class Joins:
 
 
 def _post(post: Post) -> Mapping[str, Any]:
+    """Return a post with the name that tells it from others in the graph, and its parts as properties."""
     work, heated, joins = post
     return {"post": f"{work}, heated {heated}, {'joins' if joins else 'own'}"} | {
         "properties": {"work": work, "heated": heated, "joins": joins}
