@@ -10,7 +10,15 @@ schemathesis = pytest.importorskip("schemathesis", reason="schemathesis is not i
 GenerationMode = schemathesis.GenerationMode
 
 CONFIG = schemathesis.Config.from_dict(
-    {"checks": {"positive_data_acceptance": {"expected-statuses": ["2xx", 404, 422]}}}  # 422: a food nobody knows
+    {
+        "checks": {
+            # 422: a food nobody knows; 413: a text that is short enough by its letters, and too long by their bytes
+            "positive_data_acceptance": {"expected-statuses": ["2xx", 404, 413, 422]},
+            "negative_data_rejection": {
+                "expected-statuses": [400, 401, 403, 404, 405, 406, 409, 413, 415, 422, 428, 429, "5xx"]
+            },
+        }
+    }
 )
 OPERATIONS = (
     ("/api/summary", "GET"),
