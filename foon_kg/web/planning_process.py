@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
+from collections.abc import Iterator
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from typing import Any
@@ -103,10 +104,17 @@ def _plan(line: Connection[Any, Any], served: Served) -> None:
     line.send(None)  # it is ready
     practice = desk.practise()
     while True:
-        while not line.poll(_IDLE) and next(practice, None) is not None:
-            pass  # nobody asks yet
+        if not line.poll(_IDLE):
+            _until_asked(line, practice)
         try:
             question = line.recv()
         except EOFError:
             return
         line.send(desk.answer(question))
+
+
+def _until_asked(line: Connection[Any, Any], practice: Iterator[object]) -> None:
+    """Go on with ``practice`` as long as nothing comes through ``line``."""
+    for _ in practice:
+        if line.poll():
+            return

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from multiprocessing import Pipe
+
 from pictures.demo_plans import demo_foon
 
 from foon_kg.web.foon import Served
 from foon_kg.web.planning import PlanningDesk
+from foon_kg.web.planning_process import _until_asked
 from foon_kg.web.questions import PlanQuestion
 
 QUESTIONS = [
@@ -30,3 +33,14 @@ def test_practice_can_be_left_at_any_dish():
     first, answer, second = next(practice), desk.answer(QUESTIONS[0]), next(practice)
     assert first != second
     assert answer == PlanningDesk(Served("one", demo_foon())).answer(QUESTIONS[0])
+
+
+def test_a_process_practises_until_it_is_asked_and_goes_on_later():
+    asking, asked = Pipe()
+    practice = iter(range(5))
+    asking.send("a question")
+    _until_asked(asked, practice)
+    assert asked.recv() == "a question"
+    assert next(practice) == 1  # one was under way
+    _until_asked(asked, practice)
+    assert list(practice) == []
