@@ -27,7 +27,7 @@ from big_foon import SHARED, big_foon, real_subgraphs
 from foon_kg.model import Recipe
 from foon_kg.model.errors import NoTreeError
 from foon_kg.planning.planner import Planner
-from foon_kg.planning.recipes import IngredientWords, foods_named, read_recipe, recipe_files
+from foon_kg.planning.recipes import IngredientWords, foods_named, names_in, read_recipe, recipe_files
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import Connection, GraphView, Neo4jGraph, load
@@ -126,7 +126,8 @@ def main() -> None:
 
 def words_of(view: GraphView, path: Path) -> IngredientWords:
     """Return the words in which a recipe file is read."""
-    return IngredientWords(view.words_for(foods_named(path)), Kitchen.default())
+    named, lines = foods_named(path)
+    return IngredientWords(view.words_for(named, names_in(lines)), Kitchen.default())
 
 
 def measure(settings: ConnectionSettings, paths: Sequence[Path], title: str) -> None:
