@@ -34,7 +34,7 @@ def in_turn(state: str) -> tuple[str, ...]:
 def _matters_for(last: str, state: str, known: Tables) -> bool:
     """Whether what was done before is asked beside the last state, which says nothing of it."""
     if _is_of_heat(last, known):
-        wet = not word_list("is so by boiling").isdisjoint({last}) or last in word_list("begins cooked")
+        wet = last in word_list("is so by boiling") | word_list("begins cooked")  # toasted nuts are sold cut
         return wet and bool(known.state(state).fine)
     return _is_of_heat(state, known) or state in word_list("is in a can")
 
