@@ -14,7 +14,7 @@ from foon_kg.food import Tables, words
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Component, Foods, Technique, components, works
 from foon_kg.integration.frames import Line, Stage
-from foon_kg.integration.patterns import with_line
+from foon_kg.integration.patterns import line_with, with_line, with_replaced
 from foon_kg.integration.places import NATURAL
 from foon_kg.integration.preparation import SECOND, Want
 from foon_kg.integration.spots import Join, Spot, only_carries, spots_of
@@ -202,13 +202,6 @@ def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int
 
 def _with_next(line: Line, stage: Stage, target: Stage, became: dict[int, Stage]) -> Line:
     """Return a line in which ``target`` comes next after a stage, in whichever line that is."""
-    stages = []
-    for one in line.stages:
-        adds = tuple(_with_next(add, stage, target, became) if isinstance(add, Line) else add for add in one.adds)
-        if any(add is not old for add, old in zip(adds, one.adds, strict=True)):
-            became[id(one)] = replace(one, adds=adds)
-        stages.append(became.get(id(one), one))
-        if one is stage:
-            stages.append(target)
-    same = len(stages) == len(line.stages) and all(a is b for a, b in zip(stages, line.stages, strict=True))
-    return line if same else Line(tuple(stages))
+    own = line_with(line, stage)
+    place = next(place for place, one in enumerate(own.stages, start=1) if one is stage)
+    return with_replaced(line, own, Line((*own.stages[:place], target, *own.stages[place:])), became)

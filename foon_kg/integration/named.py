@@ -11,6 +11,7 @@ from foon_kg.food.techniques import Foods
 from foon_kg.integration.course import HEATS, WORKS
 from foon_kg.integration.final_tree import FinalTree
 from foon_kg.integration.frames import Asked, Line, Stage
+from foon_kg.integration.patterns import line_with, with_replaced
 from foon_kg.integration.preparation import Want
 from foon_kg.integration.spots import Join, only_carries, spots_of
 from foon_kg.integration.techniques import stage_of
@@ -57,7 +58,7 @@ def _before(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tupl
 def _done(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tuple[Join, ...]]:
     """Let the stage come when what it is done to was heated for the last time, and cooled if it is."""
     meant = next((join for join in joins if one.is_of(join.want.label, join.want.facts)), None)
-    own = _line_with(line, meant.spot.stage) if one.of and meant is not None else line
+    own = line_with(line, meant.spot.stage) if one.of and meant is not None else line
     places = [n for n, stage in enumerate(own.stages) if not stage.does.isdisjoint(HEATS)]
     if not places:
         return line, joins
@@ -69,7 +70,7 @@ def _done(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tuple[
     carried = not any(id(stage) in taken or stage.adds or not only_carries(stage) for stage in rest)
     became: dict[int, Stage] = {}
     new = Line((*own.stages[:place], _stage(one), *(() if carried else rest)))
-    new = _replaced(line, own, new, became)
+    new = with_replaced(line, own, new, became)
     return new, _at(new, joins, {}, became)
 
 
@@ -88,28 +89,6 @@ _PUT = {"before": _before, "done": _done, "last": _last}
 def _stage(one: Named) -> Asked:
     stage = stage_of(one.stage)
     return Asked(**{field.name: getattr(stage, field.name) for field in fields(stage)})
-
-
-def _line_with(line: Line, meant: Stage) -> Line:
-    """Return the line, or one that joins it, of which a stage is one."""
-    if any(stage is meant for stage in line.stages):
-        return line
-    lines = [add for stage in line.stages for add in stage.adds if isinstance(add, Line)]
-    return next((_line_with(one, meant) for one in lines if meant in one.all_stages()), line)
-
-
-def _replaced(line: Line, old: Line, new: Line, became: dict[int, Stage]) -> Line:
-    """Return a line with one of its lines replaced; ``became`` gets, by identity, what its own stages are then."""
-    if line is old:
-        return new
-    stages = []
-    for stage in line.stages:
-        adds = tuple(_replaced(add, old, new, became) if isinstance(add, Line) else add for add in stage.adds)
-        if any(add is not before for add, before in zip(adds, stage.adds, strict=True)):
-            became[id(stage)] = replace(stage, adds=adds)
-        stages.append(became.get(id(stage), stage))
-    changed = any(stage is not before for stage, before in zip(stages, line.stages, strict=True))
-    return Line(tuple(stages)) if changed else line
 
 
 def _at(line: Line, joins: Sequence[Join], there: Mapping[int, Stage], became: Mapping[int, Stage]) -> tuple[Join, ...]:

@@ -46,6 +46,28 @@ def with_line(line: Line, meets: Stage, add: Line) -> tuple[Line, dict[int, Stag
     return _with_line(line, meets, add, became), became
 
 
+def line_with(line: Line, meant: Stage) -> Line:
+    """Return the line, or one that joins it, of which a stage is one."""
+    if any(stage is meant for stage in line.stages):
+        return line
+    lines = [add for stage in line.stages for add in stage.adds if isinstance(add, Line)]
+    return next((line_with(one, meant) for one in lines if any(stage is meant for stage in one.all_stages())), line)
+
+
+def with_replaced(line: Line, old: Line, new: Line, became: dict[int, Stage]) -> Line:
+    """Return a line with one of its lines replaced; ``became`` gets, by identity, what its own stages are then."""
+    if line is old:
+        return new
+    stages = []
+    for stage in line.stages:
+        adds = tuple(with_replaced(add, old, new, became) if isinstance(add, Line) else add for add in stage.adds)
+        if any(add is not before for add, before in zip(adds, stage.adds, strict=True)):
+            became[id(stage)] = replace(stage, adds=adds)
+        stages.append(became.get(id(stage), stage))
+    changed = any(stage is not before for stage, before in zip(stages, line.stages, strict=True))
+    return Line(tuple(stages)) if changed else line
+
+
 def _with_line(line: Line, meets: Stage, add: Line, became: dict[int, Stage]) -> Line:
     stages = []
     for stage in line.stages:

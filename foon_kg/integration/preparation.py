@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from foon_kg.food import Food, Level, Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import State
-from foon_kg.food.told_states import in_turn
+from foon_kg.food.told_states import asked_state, in_turn
 from foon_kg.integration.bench import Stuff
 from foon_kg.integration.operators import Operators, Way, form_of
 from foon_kg.model import RequiredIngredient
@@ -117,10 +117,10 @@ def wants_of(
 
 def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
     """Return a required food of whose state several things are told: what heat made of it, and how it is cut then."""
-    *before, last = in_turn(one.state) or ("",)
+    *before, last = in_turn(asked_state(in_turn(one.state), known)) or ("",)
     want = understood(number, replace(one, state=last), known, operators)
     if not before:
-        return want
+        return replace(want, told=one.state) if want.asked != one.state else want
     first = understood(number, replace(one, state=before[-1]), known, operators)
     if want.cooked and first.make and known.state(first.make).fine:
         return replace(first, cooked=True, told=one.state)

@@ -344,7 +344,7 @@ def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
 
 def _asked(ingredient: Fields) -> RequiredIngredient:
     """Return what an object of a recipe file asks for."""
-    food, state = ingredient.text("object").strip(), (ingredient.optional_text("state") or "").strip()
+    food, state = ingredient.text("object").strip(), (ingredient.optional_text("state") or "").strip(" ,")
     return RequiredIngredient(food, state, amount_said(ingredient), (ingredient.optional_text("part") or "").strip())
 
 

@@ -158,3 +158,9 @@ def test_what_is_asked_cooked_and_divided_is_divided_when_it_is_cooked(steps, fo
     (hot, *_) = [place for place, motion in enumerate(done) if motion in heated]
     assert divided & set(done[hot:])
     assert not divided & set(done[:hot])
+
+
+def test_butter_that_is_asked_melted_and_cooled_is_melted(steps):
+    told = steps("cake", "Plain Cake", "butter:melted, cooled", "flour:powder", "sugar:granulated", "egg:beaten")
+    (melted,) = [place for place, (_, _, outputs) in enumerate(told) if any("melted" in n.states for n in outputs)][:1]
+    assert melted < next(place for place, (inputs, *_) in enumerate(told) if {"butter", "sugar"} <= inputs)
