@@ -47,9 +47,10 @@ class Worker:
         inputs = [*last.step.inputs]
         shown = {mention.thing for mention in inputs}
         inputs += [self.bench.mention(stuff) for stuff in others if stuff.number not in shown]
-        step = replace(
-            last.step, inputs=tuple(inputs), outputs=(self.bench.mention(vessel), self.bench.mention(whole), *outputs)
-        )
+        told = [self.bench.mention(vessel), self.bench.mention(whole), *outputs]
+        if {mention.node for mention in told} <= {mention.node for mention in inputs}:
+            told += [m for m in last.step.outputs if m.thing in numbers - {whole.number}]  # more of what is in it
+        step = replace(last.step, inputs=tuple(inputs), outputs=tuple(told))
         self.bench.done[-1] = replace(last, step=step)
 
     def kept_states(self, vessel: Vessel) -> tuple[str, ...]:

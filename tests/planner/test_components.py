@@ -182,3 +182,13 @@ def test_what_is_asked_roasted_for_serving_is_roasted_by_itself(steps):
     ]
     assert heated
     assert not any({"squash", "onion"} & inputs for inputs in heated)
+
+
+def test_sugar_is_strewn_on_a_pie_that_has_sugar_in_it(steps):
+    told = steps(
+        "pie", "Apple Pie", "pie crust:raw", "apple:sliced", "sugar:granulated", "flour:powder", "butter:stick",
+        "sugar:granulated:sprinkling",
+    )  # fmt: skip
+    done = [place for place, (_, _, outputs) in enumerate(told) if any("baked" in node.states for node in outputs)]
+    late = [outputs for inputs, _, outputs in told[done[0] :] if "sugar" in inputs and "pie" in inputs]
+    assert all(any(node.label == "sugar" for node in outputs) for outputs in late)
