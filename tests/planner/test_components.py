@@ -189,6 +189,5 @@ def test_sugar_is_strewn_on_a_pie_that_has_sugar_in_it(steps):
         "pie", "Apple Pie", "pie crust:raw", "apple:sliced", "sugar:granulated", "flour:powder", "butter:stick",
         "sugar:granulated:sprinkling",
     )  # fmt: skip
-    done = [place for place, (_, _, outputs) in enumerate(told) if any("baked" in node.states for node in outputs)]
-    late = [outputs for inputs, _, outputs in told[done[0] :] if "sugar" in inputs and "pie" in inputs]
-    assert all(any(node.label == "sugar" for node in outputs) for outputs in late)
+    (last,) = [outputs for inputs, _, outputs in told if {"sugar", "pie"} <= inputs or {"sugar", "apple pie"} <= inputs]
+    assert "sugar" in {node.label for node in last}
