@@ -66,6 +66,7 @@ def test_what_was_planned_is_offered_again_until_it_is_forgotten(page, address):
     until(page, PLANNED)
     assert page.current_url == planned
     page.find_element("xpath", "//a[text()='Plan a dish']").send_keys(ENTER)
+    until(page, "return !document.querySelector('#opening').hidden")  # as it is shown, its cards are drawn anew
     page.find_element("xpath", "//button[text()='Forget them']").send_keys(ENTER)
     assert text_of(page, "#recent") == ""
     open_page(page, address)
