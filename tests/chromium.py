@@ -44,9 +44,13 @@ def chromium(profile):
 
 def on_screen(browser, width, height=700, *, touch=False):
     """Show the page as on a screen of so many pixels, which fingers touch or not."""
+    from selenium.webdriver.support.ui import WebDriverWait
+
     screen = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": touch}
     browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
     browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": touch})
+    shown = "screen.width" if touch else "innerWidth"  # a page may be laid out wider than what is in a hand
+    WebDriverWait(browser, PATIENCE, 0.05).until(lambda it: it.execute_script(f"return {shown}") == width)
 
 
 def as_usual(browser):

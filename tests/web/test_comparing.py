@@ -107,6 +107,7 @@ def test_a_type_of_dish_is_compared_with_another(page):
 def test_a_plan_of_this_browser_is_offered_and_going_back_is_another_choice(page):
     plan(page, "chopped onion", "diced tomato")
     page.find_element("xpath", "//a[text()='Plan a dish']").send_keys(ENTER)
+    until(page, "return document.body.dataset.page === 'home'")  # until then what is asked is folded away
     page.find_element("id", "clear").send_keys(ENTER)
     plan(page, "sliced kohlrabi")
     view(page, "compare")

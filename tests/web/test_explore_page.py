@@ -59,7 +59,7 @@ def settled(browser):
 
 
 def title(browser, text):
-    until(browser, "return about.querySelector('h2')?.innerText === arguments[0]", text)
+    until(browser, "return document.querySelector('#about h2')?.innerText === arguments[0]", text)
     settled(browser)
 
 
@@ -181,9 +181,9 @@ def test_filters_hold_for_the_picture_and_are_in_its_address(page, address):
     whole = set(shown(page))
     page.execute_script("motion.value = 'chop'; motion.dispatchEvent(new Event('change', {bubbles: true}))")
     until(page, "return location.hash.includes('motion=chop')")
-    settled(page)
     script = CY + "return cy.nodes('[mark=\"step\"]').map(node => node.data('thing').name)"
-    assert set(page.execute_script(script)) == {"chop"}
+    until(page, f"const steps = (() => {{ {script} }})(); return steps.length && steps.every(one => one === 'chop')")
+    settled(page)
     assert set(shown(page)) != whole
     assert page.find_element("id", "filters-told").text == "chop"
     asked = page.execute_script("return location.hash")
