@@ -44,7 +44,8 @@ campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed: a quart
 	cd $(CONSUMERS) && npm ci --no-audit --no-fund --ignore-scripts --omit=optional --loglevel=error || echo "without npm: \
 	what Graphviz and Mermaid make of hostile names is not looked at"
 	FOON_KG_CAMPAIGN=yes $(BIN)/python -m pytest -n 4 --durations=12 tests/campaign tests/crash tests/server/test_full_disk.py \
-		tests/server/test_local_server.py tests/server/test_questions_of_strangers.py tests/cli/test_full_disk.py tests/web/test_connections.py
+		tests/server/test_local_server.py tests/server/test_local_server_failures.py tests/server/test_questions_of_strangers.py \
+		tests/cli/test_full_disk.py tests/unit/test_wheel.py tests/web/test_connections.py
 
 soak: $(INSTALLED_FOR_TESTS)  ## foon serve for an hour under mixed requests, its memory flat within a tenth; MINUTES=5 is shorter
 	$(BIN)/python benchmarks/soak.py --minutes $(MINUTES)

@@ -20,13 +20,13 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("local-server")]
 BEFORE = (subgraph("first", "salad", *SALAD[:4]), subgraph("second", "soup", *SALAD[2:]))
 WANTED = (subgraph("first", "salad", *SALAD), subgraph("third", "salad", *SALAD[3:]))
 STAGES = {
-    "the commit does not arrive": (Says.COMMIT, Harm.HELD),
     "the commit is not answered": (Says.COMMIT, Harm.UNANSWERED),
+    "the commit does not arrive": (Says.COMMIT, Harm.HELD),
     "the transaction begins": (Says.BEGIN, Harm.UNANSWERED),
     "a statement does not arrive": (Says.RUN, Harm.HELD),
     "a statement is not answered": (Says.RUN, Harm.UNANSWERED),
 }
-IN_A_TEST = 2
+IN_A_TEST = 1
 
 
 def begin(settings):

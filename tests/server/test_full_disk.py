@@ -16,6 +16,7 @@ from foon_kg.store.graph import Connection, Neo4jGraph, load
 from foon_kg.store.server import stop
 
 pytestmark = [
+    pytest.mark.campaign,
     pytest.mark.slow,
     pytest.mark.xdist_group("local-server"),
     pytest.mark.skipif(not hasattr(psutil.Process, "rlimit"), reason="no process can be kept from writing here"),

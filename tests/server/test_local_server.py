@@ -58,6 +58,7 @@ def test_a_second_start_finds_the_first(place):
     assert status().pid == pid
 
 
+@pytest.mark.campaign
 def test_two_commands_that_start_it_at_once_end_with_one_server(place):
     stop()
     commands = [subprocess.Popen(START, stdout=subprocess.PIPE, text=True) for _ in range(3)]
@@ -78,6 +79,7 @@ def test_it_can_be_stopped_and_keeps_its_data_and_its_port(place, ask):
     assert ask(settings, "MATCH (n:Kept) RETURN count(n)") == 1
 
 
+@pytest.mark.campaign
 def test_a_killed_server_is_started_again_with_everything_that_was_committed(place, ask):
     settings = up()
     ask(settings, "MERGE (n:Killed {key: 1}) RETURN n.key")

@@ -36,6 +36,7 @@ def private_cache(tmp_path, monkeypatch):
     return private / jars.name
 
 
+@pytest.mark.campaign
 def test_a_process_id_that_another_process_has_got_is_not_taken_for_the_server(place):
     up()
     stop()
@@ -64,6 +65,7 @@ def test_a_port_that_is_taken_is_said_and_the_next_start_works(place):
     assert servers_of(place) != []
 
 
+@pytest.mark.campaign
 def test_a_port_that_it_had_before_and_another_program_has_now_is_left_to_that(place, ask):
     before = up()
     stop()
@@ -75,6 +77,7 @@ def test_a_port_that_it_had_before_and_another_program_has_now_is_left_to_that(p
     assert any("taken by another program" in line and after.uri.rpartition(":")[2] in line for line in lines)
 
 
+@pytest.mark.campaign
 def test_a_start_without_room_says_so_and_the_next_one_works(place):
     up()
     stop()
@@ -111,6 +114,7 @@ def test_a_start_that_is_interrupted_leaves_no_server_behind(place):
     up()
 
 
+@pytest.mark.campaign
 def test_a_start_that_is_killed_leaves_a_server_that_the_next_one_takes_over(place, ask):
     stop()
     command = subprocess.Popen(START)
@@ -122,6 +126,7 @@ def test_a_start_that_is_killed_leaves_a_server_that_the_next_one_takes_over(pla
     assert len(servers_of(place)) == 1
 
 
+@pytest.mark.campaign
 def test_a_lost_password_is_said_with_its_path(place):
     up()
     stop()
@@ -140,6 +145,7 @@ def test_a_lost_password_is_said_with_its_path(place):
     up()
 
 
+@pytest.mark.campaign
 @pytest.mark.parametrize("told", ["", "0" * 64])
 def test_a_startup_cache_that_was_changed_is_taken_away_and_the_server_starts(place, private_cache, told):
     stop()
@@ -152,6 +158,7 @@ def test_a_startup_cache_that_was_changed_is_taken_away_and_the_server_starts(pl
     stop()
 
 
+@pytest.mark.campaign
 def test_a_startup_cache_that_java_cannot_use_does_not_stop_the_start(place, private_cache):
     stop()
     cache = the_startup_cache()
@@ -163,6 +170,7 @@ def test_a_startup_cache_that_java_cannot_use_does_not_stop_the_start(place, pri
     stop()
 
 
+@pytest.mark.campaign
 def test_a_jar_that_was_changed_is_fetched_again_before_anything_of_it_runs(place, private_cache, repository):  # noqa: F811 - the fixture
     stop()
     (kernel,) = [jar for jar in pinned().jars if jar.coordinates.startswith("org.neo4j:neo4j-kernel:")]
@@ -179,6 +187,7 @@ def test_a_jar_that_was_changed_is_fetched_again_before_anything_of_it_runs(plac
     stop()
 
 
+@pytest.mark.campaign
 def test_a_server_whose_folder_was_removed_ends(tmp_path, monkeypatch):
     monkeypatch.setenv("FOON_KG_HOME", str(tmp_path / "home"))
     up(idle_minutes=0.1)

@@ -235,7 +235,13 @@ WORKING = {
 }
 
 
-@pytest.mark.parametrize("extra", WORKING)
+IN_A_TEST = {"web"}
+"""The others are tried by ``make campaign``: to install all of them takes minutes."""
+
+
+@pytest.mark.parametrize(
+    "extra", [extra if extra in IN_A_TEST else pytest.param(extra, marks=pytest.mark.campaign) for extra in WORKING]
+)
 def test_an_extra_brings_all_that_its_command_needs(wheel, plain, demo, extra):
     beside = None if extra == "fast" else plain  # it puts its files into the folder of another package
     with tempfile.TemporaryDirectory(prefix="foon-kg-extra-") as folder:  # some take hundreds of megabytes
