@@ -59,7 +59,7 @@ def test_a_file_that_was_changed_is_read_or_refused(name, tmp_path):
     seeds = reader.seeds + kept(name)
     for seed in seeds:
         assert stumbles(seed) is None
-    for number in range((5_000 if WHOLE_CAMPAIGN else 300) // SLOW.get(name, 1)):
+    for number in range((5_000 if WHOLE_CAMPAIGN else 100) // SLOW.get(name, 1)):
         data = mutated(chance, seeds)
         if failed := stumbles(data):
             data = smaller(data, partial(stumbles_so, type(failed)))

@@ -1,7 +1,7 @@
 """Two commands at once on one graph: it is as if one had come after the other, and so is what each of them tells.
 
-The first is held at one of its messages to Neo4j until the second has ended or waits for it. As a test some commands are
-held against one other; ``make campaign`` holds each one at three messages against each other one.
+The first is held at one of its messages to Neo4j until the second has ended or waits for it. As a test some commands
+are held against one other; ``make campaign`` holds each one at three messages against each other one.
 """
 
 from __future__ import annotations

@@ -55,8 +55,8 @@ KINDS = {
 MAY_BE_RIGHT = {"a folder", "an empty file"}
 """Nothing is in them: some commands take that for an answer."""
 
-IN_A_TEST = {"a pipe", "a socket", "a device without end", "a link to itself"}
-"""Those that hung or ate all memory; the others are left to make campaign."""
+IN_A_TEST = {"a pipe", "a device without end"}
+"""On one a command hung, the other ate all memory; what is only refused is left to make campaign."""
 
 TAKES_NOTHING = {"a pipe", "a socket", "a link to itself"}
 """To these nothing can be written, while nobody listens."""

@@ -148,18 +148,18 @@ LOOKS = (
 
 
 @pytest.fixture(scope="module")
-def everything(neo4j_server):
+def everything(emptied_server):
     """A graph with one video, a connection to it, and a look at everything that must not change."""
-    login = (neo4j_server.user, neo4j_server.password)
+    login = (emptied_server.user, emptied_server.password)
     with (
-        Connection(neo4j_server) as connection,
-        neo4j.GraphDatabase.driver(neo4j_server.uri, auth=login, warn_notification_severity="OFF") as driver,
+        Connection(emptied_server) as connection,
+        neo4j.GraphDatabase.driver(emptied_server.uri, auth=login, warn_notification_severity="OFF") as driver,
     ):
         load(connection, [subgraph("salad", "salad", *SALAD)])
 
         def look():
             def rows(text):
-                found = driver.execute_query(text, database_=neo4j_server.database).records
+                found = driver.execute_query(text, database_=emptied_server.database).records
                 return sorted(repr(record.values()) for record in found)
 
             return (

@@ -47,7 +47,7 @@ def test_an_error_is_a_line_and_a_hint(foon, monkeypatch, tmp_path):
 @pytest.mark.slow
 @pytest.mark.xdist_group("local-server")
 def test_start_tells_where_it_answers_and_never_the_password(foon, tmp_path, monkeypatch):
-    monkeypatch.setattr("foon_kg.store.server.lifecycle._warm", lambda _settings: None)  # tests/graph/test_connection.py
+    monkeypatch.setattr("foon_kg.store.server.lifecycle._warm", lambda _settings: None)  # takes most of the time
     started = foon("start", "--json", "--idle", "5")
     try:
         told = json.loads(started.stdout)
