@@ -18,7 +18,7 @@ _IRREGULAR = {
 _PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
 _NO_PLURAL = ("ss", "us", "is")
 _SHORT = 3
-_USE = re.compile(r"[,(]?\s*(?<!more )\b(?:for|to) (?:the |an? )?(?P<words>[a-z][a-z -]*)\)?", re.IGNORECASE)
+_USE = re.compile(r"[,(]?\s*(?<!more )(?<!extra )\b(?:for|to) (?:the |an? )?(?P<words>[a-z][a-z -]*)\)?", re.IGNORECASE)
 _USES = {"serve": "serving", "garnish": "garnish", "finish": "finishing", "decorate": "garnish"}
 """What is said with "to", and for what a food is then."""
 
@@ -76,8 +76,12 @@ def is_unbaked(title: str) -> bool:
 def without_part(text: str) -> tuple[str, str]:
     """Return a line without the words that say for what its food is, and for what; ``""`` where it says nothing.
 
+    What only more of it is for ("plus extra for dusting") is not what the food is for.
+
     >>> without_part("powdered sugar, for the glaze"), without_part("lemon wedges to serve"), without_part("1 egg")
     (('powdered sugar', 'glaze'), ('lemon wedges', 'serving'), ('1 egg', ''))
+    >>> without_part("2 cups flour, plus extra for dusting")[1]
+    ''
     """
     for use in _USE.finditer(text):
         said = use["words"].lower().split()

@@ -86,6 +86,11 @@ class Outlines:
         called = any(word in self._words for word in words(dish_type))
         return bool(self.all) if not dish_type else dish_type in self.dish_types or called
 
+    def taught(self, dish_type: str, known: Tables) -> list[tuple[str, frozenset[str]]]:
+        """Return what the dishes of a type are called and made of, but what of a hot type is shown raw to the end."""
+        hot = any(dish.heated for dish in known.dishes_named(dish_type))
+        return [(one.label, one.foods) for one in self.all if one.dish_type == dish_type and (one.ends[0] or not hot)]
+
     def best(
         self,
         foods: Sequence[Sought],

@@ -69,7 +69,7 @@ class Preparer(Cutter):
         if "wash" in due:
             self.rinse(ready, "washed")
         juicy = JUICE in form and not want.make and form_of(self.known, want.label, want.leaf) == "whole"
-        if want.squeezed or (juicy and self.operators.giving.get(JUICE)):
+        if (want.squeezed or juicy) and self.operators.giving.get(JUICE):
             self._squeeze(ready)
             return ready
         if "canned" in want.leaf and "drain" in {*want.facts.owes, *self.known.state(want.asked).earns}:

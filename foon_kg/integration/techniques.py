@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -14,8 +14,9 @@ from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations
 from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import BATH, Line, Phase, Slot, Stage
+from foon_kg.integration.operators import form_of
 from foon_kg.integration.places import NATURAL
-from foon_kg.integration.preparation import BY_HAND, SECOND, Want, owed
+from foon_kg.integration.preparation import BY_HAND, JUICE, SECOND, Want, owed
 from foon_kg.integration.spots import Join, spots_of
 
 _MAIN = "dish"
@@ -23,24 +24,38 @@ _MAIN = "dish"
 
 
 def technique_for(
-    dish_type: str, told: Sequence[str], wants: Sequence[Want], recorded: Iterable[Sequence[str]] = ()
+    dish_type: str, told: Sequence[str], wants: Sequence[Want], recorded: Iterable[tuple[str, Collection[str]]] = ()
 ) -> Technique | None:
     """Return the first technique of the table that a dish is called by, and for which its foods are there.
 
-    ``told`` are the words of its title, ``recorded`` those of what the videos of its type make: where one of them makes
-    what the title says, it teaches that, and no table, unless the recipe says which food is for which line of it.
+    ``told`` are the words of its title, ``recorded`` what the videos of its type make, each with its foods: where one
+    of them makes what the title says, of the foods that the technique needs, it teaches that, and no table, unless the
+    recipe says which food is for which line of it.
     """
     around = Around([want.facts for want in wants], told)
-    taught = [tuple(label) for label in recorded if set(label) <= set(told)]
+    taught = [(words(label), foods) for label, foods in recorded if set(words(label)) <= set(told)]
     parts = {want.part for want in wants} - {""}
     for one in techniques():
         if not one.is_called(dish_type, told):
             continue
-        if parts.isdisjoint(one.lines) and any(label[-len(name) :] == name for name in one.called for label in taught):
+        if parts.isdisjoint(one.lines) and any(_teaches(label, foods, one) for label, foods in taught):
             continue
         if has_its_foods(one, wants, around):
             return one
     return None
+
+
+def _teaches(label: tuple[str, ...], foods: Collection[str], one: Technique) -> bool:
+    """Whether a video that makes what is called ``label``, of these foods, shows what a technique says."""
+    if not any(label[-len(name) :] == name for name in one.called):
+        return False
+    facts = {name: tables().foods.food(name) for name in foods}
+    around = Around(list(facts.values()), label)
+
+    def has(some: Foods) -> bool:
+        return any(some.mean(name, food, {some.state}, around) for name, food in facts.items())
+
+    return all(any(map(has, need)) for need in one.needs) and not any(map(has, one.without))
 
 
 def as_a_way_says(
@@ -137,7 +152,7 @@ class _Placed:
         once: dict[int, tuple[Join, Foods, Part]] = {}
         taken: dict[int, str] = {}
         for line in sorted(told):  # what a recipe says of it itself comes before all
-            meant = [(foods, part) for foods, part, name in wishes if name == line]
+            meant = [(replace(foods, again=False), part) for foods, part, name in wishes if name == line]
             for join in (join for join in joins if join.want.part == line):
                 wish = next((wish for wish in meant if means(wish[0], join.want, self.around)), meant[0])
                 taken[join.want.number], once[join.want.number] = line, (join, *wish)
@@ -168,6 +183,8 @@ class _Placed:
             if len(alike) > 1 and not any(join.want.number in there for join in alike):
                 near = min(alike, key=lambda join: min((abs(join.want.number - n) for n in there), default=0))
                 once[near.want.number] = (near, replace(foods, again=False), part)
+            elif len(alike) == 1 and alike[0].want.number not in once:
+                once[alike[0].want.number] = (alike[0], replace(foods, again=False), part)
             elif len(alike) == 1 and alike[0].want.number not in there:
                 yield alike[0], foods, part
 
@@ -240,7 +257,8 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
     want = replace(want, cooked=row.get("said", want.cooked))
     by_hand = dict.fromkeys(sorted(known.state(want.make).earns & BY_HAND) if want.make else (), Level.MINOR)
     if "make" in row and (row.get("always") or not cut):
-        want = replace(want, make=row["make"], foamed=bool(row.get("foamed")))
+        squeezed = row["make"] == JUICE and form_of(known, want.label, want.leaf) == "whole"
+        want = replace(want, make=row["make"], foamed=bool(row.get("foamed")), squeezed=squeezed)
     if "then" in row and not want.then and not cut:
         want = replace(want, then=row["then"], cooked=True)
     owes = by_hand | dict(want.facts.owes)  # what is asked peeled is peeled, and then halved

@@ -179,7 +179,7 @@ class _Question:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
         self.kitchen = planner.kitchen_for([want.label for want in wants])
         self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in wants)
-        recorded = (words(one.label) for one in self.methods.outlines.all if one.dish_type == recipe.dish_type)
+        recorded = self.methods.outlines.taught(recipe.dish_type, self.known)
         whole = Asked(self.wants, recipe.dish_type, title, self.known)
         own, self.sides = sides_of(self.wants, whole.dishes, recipe.dish_type, title, baked=whole.baked)
         self.asks = named_by(title, recipe.dish_type, [(want.label, want.facts) for want in self.wants])
@@ -261,7 +261,8 @@ class _Question:
         line, joins, one_pot = arranged(frame.line, fit.joins, self.parts, called, self.known)
         label = frame.goal.label if has_its_name(fit, asked, dish_type, tin, self.technique) else dish_type
         plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased(asked), one_pot=one_pot)
-        plan = replace(plan, drunk=dish_type in word_list("is drunk"))
+        drunk, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
+        plan = replace(plan, drunk=drunk, cold=cold)
         if self.technique is None:
             plan = self._as_told(plan, asked, tin)
         cooking = Cooking(bench, line, plan)

@@ -41,7 +41,7 @@ def defined(case: Case) -> Iterator[Finding]:
             yield from _raw_sauce(case, case.goal, title)
     for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), title):
         bought = any(part.food.is_a(dish.name) for part in case.parts)  # bread that somebody dips was baked before
-        if dish.baked and not bought and not _baked(case) and not is_unbaked(title):
+        if dish.baked and not (bought or _baked(case) or is_unbaked(title) or _sets_cold(case, dish)):
             yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (case.goal,))
 
 
@@ -75,6 +75,12 @@ def _raw_sauce(case: Case, goal: ObjectNode, title: str) -> Iterator[Finding]:
 def _baked(case: Case) -> bool:
     """Whether something of the dish was in dry heat, in an oven or in a microwave."""
     return any(happening.does("heat") and (happening.does("dry") or happening.in_oven) for happening in case.happenings)
+
+
+def _sets_cold(case: Case, dish: Dish) -> bool:
+    """Whether a dish that may be chilled on crumbs has nothing in it that wants an oven."""
+    raw = any(part.food.is_a("dough", "egg", "flour") for part in case.parts)
+    return dish.name in word_list("sets cold on crumbs") and not raw
 
 
 def missing(case: Case, label: str, *texts: str) -> Iterator[str]:

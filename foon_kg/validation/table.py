@@ -29,9 +29,12 @@ _WHOLE = {
 
 def raw(case: Case) -> Iterator[Finding]:
     """K1: what must be cooked is cooked by a unit, and dry starch in a liquid."""
-    called = case.tables.dishes_named(case.recipe.title or "") if case.recipe else ()
+    title = case.recipe.title or "" if case.recipe else ""
+    called = [dish for dish in case.tables.dishes_named(title) if not dish.is_type]
     eaten_raw = frozenset(kind for dish in called for kind in dish.raw)
-    eased = frozenset(kind for dish in case.tables.dishes_named(*case.dish_types) for kind in dish.eases)
+    types = set(case.dish_types) & word_list("may hold raw egg") if title else case.dish_types
+    eased = frozenset(kind for dish in (*case.tables.dishes_named(*types), *called) for kind in dish.eases)
+    bound = bool(title) and not word_list("holds no raw egg").isdisjoint(case.dish_types)
     for part in case.parts:
         if part.remains or part.untold or part.food.is_a(*eaten_raw):
             continue
@@ -39,9 +42,20 @@ def raw(case: Case) -> Iterator[Finding]:
             level = part.food.owes.get(treatment)
             if level in {None, Level.ADVICE} or treatment in part.done:
                 continue
-            minor = level is Level.MINOR or part.food.is_a(*eased)
+            minor = part.food.is_a(*eased) or (level is Level.MINOR and not (bound and part.food.is_a("egg")))
             how = "in enough liquid" if treatment == "boil" else "at all"
             yield Finding("K1", f"{part.name} is in the dish and was not cooked {how}", minor=minor)
+    yield from _never_hot(case)
+
+
+def _never_hot(case: Case) -> Iterator[Finding]:
+    """Yield flour that nothing heated, whatever was stirred into it, and what was to make it rise."""
+    ours = [part for part in case.parts if not part.remains and not part.untold]
+    flours = [part for part in ours if any(map(part.food.is_of, word_list("is raw flour")))]
+    leavens = [part for part in ours if flours and part.food.is_a("leaven")]
+    for part in dict.fromkeys((*flours, *leavens)):
+        if part.heated is None and not part.food.is_a(*word_list("is flour eaten raw")):
+            yield Finding("K1", f"{part.name} is in the dish, and nothing heated it", part.joined)
 
 
 def whole(case: Case) -> Iterator[Finding]:

@@ -105,3 +105,90 @@ def test_the_sauce_of_a_bread_pudding_is_cooked_by_itself(steps):
     assert {"eggs", "milk", "day-old bread"} <= inside(told, "bake")
     assert "flour" not in inside(told, "bake")
     assert any("flour" in node.ingredients for node in told[-1][2])
+
+
+def boils_or_bakes(told, *foods):
+    """Whether one step bakes, boils or cooks all of these foods together."""
+    hot = [outputs for _, motion, outputs in told if motion in HEATS]
+    return any(set(foods) <= {food for node in outputs for food in node.ingredients} for outputs in hot)
+
+
+@pytest.mark.parametrize(
+    ("title", "asked"),
+    [
+        ("Sticky Toffee Pudding", ("dates:chopped", "baking soda:powder", "water:boiling", "butter:softened",
+                                   "brown sugar:granulated", "eggs:whole", "self-raising flour:powder")),
+        ("Chocolate Pudding with its Sauce", ("self-raising flour:powder", "cocoa powder:powder", "sugar:granulated",
+                                              "milk:liquid", "butter:melted", "egg:whole")),
+        ("Ginger Pudding of the House", ("flour:powder", "baking powder:powder", "butter:softened", "egg:whole",
+                                         "sugar:granulated", "milk:liquid", "ginger:ground")),
+    ],
+)  # fmt: skip
+def test_a_pudding_that_rises_is_baked(steps, title, asked):
+    told = steps("pudding", title, *asked)
+    flour = next(one.partition(":")[0] for one in asked if "flour" in one)
+    assert boils_or_bakes(told, flour, "butter")
+    assert "bake" in motions(told)
+    assert "cook and stir" not in motions(told)
+
+
+def test_a_pudding_under_cocoa_gets_its_hot_water_last(steps):
+    told = steps("pudding", "Self-Saucing Chocolate Pudding", "self-raising flour:powder", "cocoa powder:powder",
+                 "sugar:granulated", "milk:liquid", "egg:whole", "brown sugar:granulated", "water:hot")  # fmt: skip
+    done = motions(told)
+    assert first(told, "self-raising flour", "pour") < first(told, "brown sugar", "pour") < first(told, "water", "pour")
+    assert done.index("bake") > first(told, "water", "pour")
+
+
+def test_a_video_without_the_foods_of_a_dish_does_not_teach_it(steps):
+    told = steps("pudding", "Banana Pudding", "sugar:granulated", "flour:powder", "egg yolks:raw", "milk:liquid",
+                 "vanilla wafers:whole", "bananas:sliced")  # fmt: skip
+    assert boils_or_bakes(told, "flour", "egg yolks", "milk")
+    told = steps("noodle", "Homemade Egg Noodles", "flour:powder", "eggs:whole", "salt:granulated", "butter:unmelted")
+    done = motions(told)
+    assert (
+        done.index("knead")
+        < done.index("roll")
+        < done.index("cut")
+        < max(place for place, motion in enumerate(done) if motion == "boil")
+    )
+
+
+def test_whites_are_beaten_over_a_filling_on_dough_of_flour(steps):
+    told = steps("pie", "Lemon Meringue Pie", "flour:powder:crust", "butter:cold:crust", "ice water:liquid:crust",
+                 "sugar:granulated:filling", "cornstarch:powder:filling", "water:liquid:filling",
+                 "egg yolks:raw:filling", "lemons:whole:filling", "egg whites:raw:meringue",
+                 "sugar:granulated:meringue")  # fmt: skip
+    done = motions(told)
+    assert done.index("roll") < done.index("bake") < len(done) - 1 - done[::-1].index("bake")
+    assert first(told, "lemons", "squeeze") < done.index("cook and stir")
+    assert boils_or_bakes(told, "egg yolks", "cornstarch", "sugar")
+
+
+def test_a_pie_on_crumbs_is_chilled_where_nothing_in_it_is_raw(steps):
+    told = steps("pie", "Peanut Butter Pie", "oreo crust:whole", "cream cheese:block", "peanut butter:creamy",
+                 "powdered sugar:powder")  # fmt: skip
+    assert "chill" in motions(told)
+    assert "bake" not in motions(told)
+
+
+def test_cold_noodles_are_boiled_rinsed_and_not_heated_again(steps):
+    for title in ("Chilled Soba Noodles", "Cold Noodles with Soy Sauce"):
+        told = steps("noodle", title, "soba noodles:uncooked", "soy sauce:liquid", "mirin:liquid", "scallions:sliced")
+        done = motions(told)
+        assert done.index("boil") < done.index("rinse")
+        assert HEATS.isdisjoint(done[done.index("rinse") :])
+
+
+def test_a_spread_of_boiled_eggs_is_not_fried(steps):
+    told = steps("sandwich", "Egg Salad Sandwiches", "hard-boiled eggs:chopped", "mayonnaise:creamy",
+                 "mustard:creamy", "celery:diced", "white bread:loaf")  # fmt: skip
+    assert HEATS.isdisjoint(motions(told))
+    assert first(told, "hard-boiled eggs", "peel") < first(told, "hard-boiled eggs", "chop")
+
+
+def test_cookies_that_nobody_bakes_are_cooked_and_set(steps):
+    told = steps("cookie", "No-Bake Peanut Butter Cookies", "sugar:granulated", "milk:liquid", "butter:unmelted",
+                 "cocoa powder:powder", "peanut butter:creamy", "oats:rolled")  # fmt: skip
+    assert motions(told).index("cook and stir") < motions(told).index("chill")
+    assert boils_or_bakes(told, "sugar", "milk", "cocoa powder")

@@ -132,6 +132,38 @@ def test_k1_an_egg_is_odd_in_a_drink_and_in_a_cake_and_fatal_elsewhere():
     ]
 
 
+CREAM = (
+    "{egg} (liquid) + milk (liquid; in carton) + bowl (empty) → MIX"
+    " → cream ({{{egg}, milk}}; in bowl) + bowl ({{cream}})"
+)
+
+
+@pytest.mark.parametrize("egg", ["egg yolk", "egg"])
+def test_k1_a_titled_pudding_holds_no_raw_egg_unless_it_is_called_so(egg):
+    asked = f"asked: {egg} (raw); milk (liquid)\n{CREAM.format(egg=egg)}"
+    told = f"{egg} is in the dish and was not cooked at all"
+    assert found("K1", f"dish: pudding\ntitle: Vanilla Pudding\n{asked}") == [f"K1: {told}"]
+    assert found("K1", f"dish: pudding\ntitle: Chocolate Mousse\n{asked}") == [f"K1 (minor): {told}"]
+    assert found("K1", f"dish: drinks\ntitle: Milk Punch\n{asked}") == [f"K1 (minor): {told}"]
+    assert found("K1", f"dish: pudding\n{asked}") == [f"K1 (minor): {told}"]
+
+
+def test_k1_flour_is_heated_and_what_makes_it_rise():
+    for food in ("flour", "cornmeal", "semolina"):
+        assert found("K1", on_plate(food, "powder")) == [f"K1: {food} is in the dish, and nothing heated it"]
+        assert found("K1", boiled(food, "powder")) == []
+    for food in ("almond flour", "cornstarch", "baking powder"):
+        assert found("K1", on_plate(food, "powder")) == []
+
+
+def test_k1_what_makes_a_dough_rise_comes_before_the_heat():
+    late = boiled("flour", "powder") + (
+        "baking soda (powder) + flour (cooked; in pot) + pot ({flour, water}; on stove) → SPRINKLE"
+        " → porridge ({baking soda, flour, water}; in pot) + pot ({porridge}; on stove)"
+    )
+    assert found("K1", late) == ["K1 step 6: baking soda is in the dish, and nothing heated it"]
+
+
 def test_k1_each_raw_food_is_told():
     step = "beef (raw) + potato (whole) + plate (empty) → PUT → beef (raw; on plate) + potato (whole; on plate) + plate"
     assert {told.split()[1] for told in found("K1", step)} == {"beef", "potato"}
