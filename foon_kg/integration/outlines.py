@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from foon_kg.food import Tables, words
+from foon_kg.food.lists import word_list
 from foon_kg.integration.layouts import Layout
 
 _SLACK = 1e-5
@@ -87,9 +88,11 @@ class Outlines:
         return bool(self.all) if not dish_type else dish_type in self.dish_types or called
 
     def taught(self, dish_type: str, known: Tables) -> list[tuple[str, frozenset[str]]]:
-        """Return what the dishes of a type are called and made of, but what of a hot type is shown raw to the end."""
+        """Return what the dishes of a type are called and made of, but those of a hot type that end as raw flour."""
         hot = any(dish.heated for dish in known.dishes_named(dish_type))
-        return [(one.label, one.foods) for one in self.all if one.dish_type == dish_type and (one.ends[0] or not hot)]
+        flour = word_list("is raw flour") if hot else frozenset[str]()
+        own = (one for one in self.all if one.dish_type == dish_type)
+        return [(one.label, one.foods) for one in own if one.ends[0] or one.kinds.isdisjoint(flour)]
 
     def best(
         self,
