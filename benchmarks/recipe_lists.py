@@ -14,7 +14,7 @@ development; even ones are blind: nobody looks at them, nor at their trees, only
 
 The lines are read by ``foon_kg.language.recipe_lines``, and nothing is put right by hand: what it makes of a line is
 what the planner is asked. A food without a state is written with an empty one, for which ``foon plan`` takes the usual
-state. Of a line that names several foods the first is taken. A line that names none is told on stderr; of a blind
+state. Of foods that stand in for each other the first is taken. A line that names none is told on stderr; of a blind
 recipe only the place, not the text.
 """
 
@@ -72,9 +72,9 @@ def written_recipes(path: Path) -> Iterator[WrittenRecipe]:
             title, lines = "", []
 
 
-def ingredients_of(recipe: WrittenRecipe, path: Path) -> list[dict[str, str]]:
-    """Return what the reader makes of the lines; those that it cannot use are told on stderr."""
-    wanted, part = [], ""
+def ingredients_of(recipe: WrittenRecipe, path: Path) -> tuple[list[dict[str, str]], int]:
+    """Return what the reader makes of the lines, and how many it cannot use; those are told on stderr."""
+    wanted, part, rejected = [], "", 0
     read = read_recipe_lines(line for _, line in recipe.lines)
     for (place, line), answer in zip(recipe.lines, read, strict=True):
         if is_heading(line):
@@ -82,10 +82,12 @@ def ingredients_of(recipe: WrittenRecipe, path: Path) -> list[dict[str, str]]:
         elif answer.object is None:
             said = f": {line}" if recipe.half == "development" else ""
             print(f"{path}:{place}: {recipe.id}: no food is read here{said}", file=sys.stderr)
+            rejected += 1
         else:
             said = without_part(line)[1] or part
-            wanted.append({"object": answer.object, "state": answer.state} | ({"part": said} if said else {}))
-    return wanted
+            more = {"part": said} if said else {}
+            wanted += [{"object": one.object or "", "state": one.state} | more for one in answer.foods]
+    return wanted, rejected
 
 
 def convert(path: Path, out: Path, halves: tuple[str, ...]) -> tuple[int, int, int]:
@@ -93,15 +95,15 @@ def convert(path: Path, out: Path, halves: tuple[str, ...]) -> tuple[int, int, i
     folder = out / path.stem
     folder.mkdir(parents=True, exist_ok=True)
     recipes = [recipe for recipe in written_recipes(path) if recipe.half in halves]
-    lines = used = 0
+    lines = rejected = 0
     for recipe in recipes:
-        wanted = ingredients_of(recipe, path)
+        wanted, unread = ingredients_of(recipe, path)
         content = {"id": recipe.id, "title": recipe.title, "type": recipe.dish_type, "ingredients": wanted}
         text = json.dumps(content, indent=2, ensure_ascii=False)
         (folder / f"{recipe.id}.json").write_text(f"{text}\n", encoding="utf-8")
         lines += len(recipe.lines)
-        used += len(wanted)
-    return len(recipes), lines, lines - used
+        rejected += unread
+    return len(recipes), lines, rejected
 
 
 def main() -> None:

@@ -11,7 +11,7 @@ import typer
 
 from foon_kg.cli import evaluate_options as options
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
-from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
+from foon_kg.model import DISH_TYPES, Recipe
 from foon_kg.model.errors import ReadError, UsageError
 
 if TYPE_CHECKING:
@@ -149,10 +149,8 @@ def _stored(dishes: Sequence[str], sample: int | None, seed: int, words: Ingredi
     with Foon.connect(say=say) as foon:
         for dish_type in sorted(set(dishes)):
             ids = foon.recipe_ids(dish_type)
-            for name in ids if sample is None else drawn(ids, sample, seed, dish_type):
-                stored = foon.recipe(name)
-                wants = tuple(RequiredIngredient(called.object, called.state) for called in stored.ingredients)
-                found.append(with_states(Recipe(dish_type, wants, name, stored.title or None), words).recipe)
+            names = ids if sample is None else drawn(ids, sample, seed, dish_type)
+            found += [with_states(foon.recipe(name).asked(dish_type), words).recipe for name in names]
     return found
 
 

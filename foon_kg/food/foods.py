@@ -46,9 +46,16 @@ class FoodTable:
         return self._known[key]
 
     def as_measured(self, label: str, measures: Iterable[str]) -> str:
-        """Return the state that ``measures`` say of a food: canned of a can of corn; ``""`` where they say nothing."""
-        by_can = not word_list("measures what is canned").isdisjoint(measures)
-        return _PACKED if by_can and self.food(label, [_PACKED]).kind != self.food(label).kind else ""
+        """Return the state that ``measures`` say of a food: canned of a can, a sprig of thyme; else ``""``."""
+        said = frozenset(measures)
+        for measured, states in (
+            ("measures what is canned", {_PACKED}),
+            ("measures what grows", word_list("grows so")),
+        ):
+            if said & word_list(measured):
+                kind = self.food(label).kind
+                return next((state for state in sorted(states) if self.food(label, [state]).kind != kind), "")
+        return ""
 
     def find(self, label: str) -> tuple[str, str, Match]:
         """Return the kind of a name, the name of the table that it was found as, and how: the longest phrase wins."""

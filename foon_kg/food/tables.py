@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 
 from foon_kg.food.faults import FOODS, UTENSILS, malformed, unknown_targets
 from foon_kg.food.foods import FoodTable, make_room
+from foon_kg.food.lists import word_list
 from foon_kg.food.parsing import Toml, dish_row, food_table, motion_row, needs_of, state_row, utensil_rows
 from foon_kg.food.rows import Dish, Motion, State, Utensil
 from foon_kg.food.shipped import shipped
@@ -177,9 +179,18 @@ class Tables:
                 for start in range(len(own) - length + 1):
                     name = " ".join(own[start : start + length])
                     if name in self.dishes and not any(name in other for other in found):
-                        found[name] = self.dishes[name]
+                        modifies = not self.dishes[name].is_type and self._is_modifier(own, start + length, texts)
+                        found[name] = replace(self.dishes[name], needs=()) if modifies else self.dishes[name]
         no = frozenset().union(*(dish.is_no for dish in found.values()))
         return tuple(dish for name, dish in found.items() if name not in no)
+
+    def _is_modifier(self, own: Sequence[str], end: int, types: Collection[str]) -> bool:
+        """Whether the dish whose name ends at ``end`` in a title only says of what sort the dish is: taco meatballs.
+
+        So it is where the name of its type, one of ``types``, comes behind it and no word between says that both are.
+        """
+        last = max((at for at in range(end, len(own)) if own[at] in types and self.dishes[own[at]].is_type), default=-1)
+        return last >= end and word_list("names another dish or food").isdisjoint(own[end:last])
 
 
 def tables() -> Tables:

@@ -114,21 +114,40 @@ class Cooking:
             ("halved", self.plan.stacked, "is split"),
             ("sliced", self.plan.stacked, "is sliced to be stacked"),
             ("chopped", small, "is cut for a dish"),
+            ("shaved", self._is_mixed(join), "is cut off its cob"),
             ("crumbled", self.plan.in_pieces, "is crumbled"),
         ]
         form = join.slot.states if join.slot is not None else ()
         return (*form, *(state for state, needed, kinds in needs if needed and facts.is_a(*word_list(kinds))))
 
+    def _is_mixed(self, join: Join) -> bool:
+        """Whether more than seasoning joins at the same stage, or before it, so that nobody eats a food by itself."""
+        others = (one.want.facts for one in self.plan.joins if one is not join)
+        return any(not facts.is_a(*word_list("is eaten on a cob")) for facts in others)
+
     def _as_eaten(self, join: Join) -> Want:
         """Return a want that nobody asked cut, cut or mashed where it is never eaten or shaped whole."""
-        want = join.want
-        if want.make and (self.known.state(want.make).fine or 0) > 0:
+        want = self._as_soft_as_needed(join)
+        if any((self.known.state(state).fine or 0) > 0 for state in (want.make, *want.leaf) if state):
             return want
         if self._is_shaped_later(join) and want.facts.is_a(*word_list("is mashed to be shaped")):
             return replace(want, make="mashed")
         if self._is_eaten_raw(join) and want.facts.is_a(*word_list("is never eaten whole")):
             return replace(want, make=min(word_list("is cut so to be eaten raw")))
         return want
+
+    def _as_soft_as_needed(self, join: Join) -> Want:
+        """Return a want that lay out of the refrigerator where it is beaten, or stirred with what is sweet."""
+        want, stage = join.want, join.spot.stage
+        if want.make or not want.facts.is_a(*word_list("is soft when it is beaten")):
+            return want
+        beside = [one.want.facts for one in self.course.ordered(stage)]
+        creamed = any(facts.is_a("sweet") for facts in beside) and not any(facts.is_a("flour") for facts in beside)
+        beaten = not stage.does.isdisjoint({"blend", "whip"}) or (creamed and "mix" in stage.does)
+        hard = set(want.leaf) <= word_list("is hard in the refrigerator")
+        if not hard or not beaten or not stage.does.isdisjoint(HEATS):
+            return want
+        return replace(want, leaf=tuple(word_list("is soft so")))
 
     def _is_eaten_raw(self, join: Join) -> bool:
         """Whether a food joins what nobody heats any more, or what is shaped with it inside."""

@@ -95,6 +95,8 @@ class Cutter:
 
     def usual_cut(self, want: Want) -> str:
         """Return the state into which the FOON most often cuts such a food."""
+        if want.facts.is_a(*word_list("is grated where nothing is said")):
+            return min(word_list("only grates"))
         counts: dict[str, int] = {}
         for name in (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}", "kind:vegetable"):
             for state in self.operators.states.get(name, ()):

@@ -29,8 +29,11 @@ from foon_kg.integration.preparation import (
 )
 from foon_kg.world.treatment import ADVISED
 
-_STANDS_FOR = {"stone": ("core",), "core": ("stone",), "shell": ("peel",)}
+_STANDS_FOR = {"stone": ("core",), "core": ("stone",), "shell": ("peel",), "husk": ("peel",)}
 """What also does for a treatment."""
+
+_DONE_WITH = {"stone": "core", "peel": "husk"}
+"""What is done by another treatment, where that is due."""
 
 _OPEN = "open"
 
@@ -241,12 +244,16 @@ class Preparer(Cutter):
             words(want.label)
         )
         hard = hard or want.facts.is_a(*word_list("is a mouthful"))
-        rows = [self.known.state(state) for state in want.leaf]
+        rows = [self.known.state(state) for state in want.leaf if not self._is_still_whole(want, state)]
         if hard or not divided or any((row.fine or 0) > 0 or "cut" in row.earns for row in rows):
             return ""
         if form_of(self.known, want.label, want.leaf) not in {"whole", "pieces"} or want.facts.is_a("stock"):
             return ""
-        if "cut" in want.facts.owes and want.facts.is_a("raw") and not want.facts.is_a("herb", "berry"):
+        if (
+            "cut" in want.facts.owes
+            and want.facts.is_a("raw")
+            and not want.facts.is_a(*word_list("is served in leaves"))
+        ):
             due = due | {"cut"}  # nobody serves it in one piece, though it could be eaten so
         first = not want.cooked or want.facts.is_a(*word_list("is split"))  # what is toasted is cut before
         for state in form if first else ():
@@ -258,8 +265,21 @@ class Preparer(Cutter):
             return self.usual_cut(want)
         return ""
 
+    def _is_still_whole(self, want: Want, state: str) -> bool:
+        """Whether a food that is sold so is still to be cut, though the word is one of a part: a clove, a steak."""
+        is_a = want.facts.is_a
+        plucked = is_a(*word_list("is cut off its stem")) and not is_a(*word_list("is served in leaves"))
+        flesh = state in word_list("is still in one piece") and is_a(*word_list("is flesh"))
+        plucked = plucked and state in word_list("is plucked off its stem")
+        small = state in word_list("is called small") and is_a(*word_list("is firm"))
+        return flesh or plucked or small or state in word_list("is a piece to be cut")
+
     def _with_a_fit_tool(self, name: str, ways: Sequence[Way], want: Want) -> Sequence[Way]:
         """Return the ways to take off a skin with what does it: fingers, a peeler, or a knife where it is a rind."""
+        if name == "shell" and want.facts.is_a(*word_list("is shelled by hand")):
+            return [way for way in ways if not way[1]] or ways
+        if name == "husk":
+            return [way for way in ways if not way[1]] or ways
         if name != "peel" or want.facts.is_a(*word_list("is peeled by hand")):
             return ways
         if want.facts.is_a(*word_list("is peeled with a knife")):
@@ -319,7 +339,7 @@ class Preparer(Cutter):
         if ready.want.facts.is_a(*word_list("is stoned before it is peeled")):
             order.sort(key=lambda name: name == "peel")
         for name in order:
-            if name in due and not (name == "stone" and "core" in due):
+            if name in due and _DONE_WITH.get(name) not in due:
                 self._treat(ready, name)
 
     def _comes_in_pieces(self, want: Want, cut: str) -> bool:

@@ -183,18 +183,16 @@ class Worker:
         loose = any(not want.facts.is_a(*word_list("is taken out of the dish")) for want in wants)
         if self.plan.drunk and loose and len(vessel.contents) == 1:  # a bag or a stick is lifted out
             return self._strain(vessel, wants)
-        for want in wants:
-            whole = next(stuff for stuff in vessel.contents if want.number in stuff.wants)
-            states = [state for state in (want.make, want.then, *want.leaf) if state]
-            in_pieces = any((self.known.state(state).fine or 0) > 0 for state in states)
-            in_pieces = in_pieces or not word_list("is plucked off its stem").isdisjoint(states)
-            if in_pieces or len(whole.wants) < _LEAST:
-                continue
-            ways = [way for motion in sorted(word_list("takes out")) for way in self.bench.operators.ways_of(motion)]
-            ways = [way for way in ways if any(self._lifts(tool) for tool in way[1])]
-            attested = self.bench.attest(ways, want.names) or self.bench.far(ways, want.names)
+        ways = [way for motion in sorted(word_list("takes out")) for way in self.bench.operators.ways_of(motion)]
+        ways = [way for way in ways if any(self._lifts(tool) for tool in way[1])]
+        for whole in list(vessel.contents):
+            lifted = [want for want in wants if want.number in whole.wants and self._is_in_one_piece(want)]
+            lifted = lifted[: max(0, len(whole.wants) - _LEAST + 1)]
+            attested = (
+                self.bench.attest(ways, lifted[0].names) or self.bench.far(ways, lifted[0].names) if lifted else None
+            )
             if attested is not None:
-                self._take_out(vessel, whole, want, attested)
+                self._take_out(vessel, whole, lifted, attested)
         return vessel
 
     def strained(self, vessel: Vessel) -> Vessel:
@@ -241,16 +239,26 @@ class Worker:
         row = self.known.utensil(tool)
         return row is not None and "lift" in row.can
 
-    def _take_out(self, vessel: Vessel, whole: Stuff, want: Want, attested: Attested) -> None:
+    def _is_in_one_piece(self, want: Want) -> bool:
+        """Whether a food is still in one piece that can be lifted out: no chopped herb, nor leaves off their stem."""
+        states = [state for state in (want.make, want.then, *want.leaf) if state]
+        if want.facts.is_a(*word_list("is a leaf by itself")):
+            states = [state for state in states if state not in word_list("is plucked off its stem")]
+        plucked = not word_list("is plucked off its stem").isdisjoint(states)
+        return not plucked and not any((self.known.state(state).fine or 0) > 0 for state in states)
+
+    def _take_out(self, vessel: Vessel, whole: Stuff, wants: Sequence[Want], attested: Attested) -> None:
         plate = self.bench.vessel("plate")
-        part = Stuff(want.label, self.bench.number(), ("cooked",), (want.label,), frozenset(), plate)
+        parts = [
+            Stuff(want.label, self.bench.number(), ("cooked",), (want.label,), frozenset(), plate) for want in wants
+        ]
 
         def change() -> None:
-            whole.foods = tuple(food for food in whole.foods if food != want.label)
-            whole.wants -= {want.number}
-            plate.contents.append(part)
+            whole.foods = tuple(food for food in whole.foods if food not in {want.label for want in wants})
+            whole.wants -= {want.number for want in wants}
+            plate.contents += parts
 
-        self.bench.emit(attested, [vessel, whole, plate], change, [vessel, whole, plate, part])
+        self.bench.emit(attested, [vessel, whole, plate], change, [vessel, whole, plate, *parts])
 
     def let_rise_again(self, vessel: Vessel) -> None:
         """Let dough with yeast that rested and was shaped then rise where it is to be baked."""

@@ -8,13 +8,13 @@ parser of recipe lines reads what that leaves, or everything.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 
 from foon_kg.food.lists import word_list
 from foon_kg.language.plain_lines import amount_in_front, is_measure
-from foon_kg.language.recipe_lines import LineReader, read_quickly
+from foon_kg.language.recipe_lines import LineReader, RecipeLine, read_quickly
 from foon_kg.model import DISH_TYPES
 from foon_kg.model.collected import CalledFor, CollectedLine, CollectedRecipe, UnderstoodRecipe
 from foon_kg.model.dish_classes import DishClass, dish_classes
@@ -22,7 +22,7 @@ from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.similarity.states import state_in
 
-READING = 4
+READING = 5
 """Counts the ways in which lines were ever understood; a change of the rules below is a new one."""
 
 _REMEMBERED = 200_000
@@ -43,7 +43,7 @@ class CollectionReader:
     labels: Mapping[str, str]
     lines: LineReader = field(default_factory=LineReader)
     full: bool = False
-    _known: dict[CollectedLine, CalledFor | None] = field(default_factory=dict)
+    _known: dict[CollectedLine, tuple[CalledFor, ...]] = field(default_factory=dict)
 
     @property
     def version(self) -> str:
@@ -60,8 +60,8 @@ class CollectionReader:
         return UnderstoodRecipe(
             recipe,
             classes_of(recipe),
-            tuple(called for _, called in read if called is not None),
-            tuple(line.text for line, called in read if called is None),
+            tuple(one for _, called in read for one in called),
+            tuple(line.text for line, called in read if not called),
         )
 
     def _read(self, lines: Mapping[CollectedLine, None]) -> None:
@@ -71,15 +71,22 @@ class CollectionReader:
         left = []
         for line in [line for line in lines if line not in self._known]:
             if not line.is_readable or (not line.detected and is_heading(line.text)):
-                self._known[line] = None
+                self._known[line] = ()
             elif (called := self._without_parser(line)) is not None:
-                self._known[line] = called
+                self._known[line] = (called,)
             else:
                 left.append(line)
         for line, read in zip(left, self.lines.read([line.text for line in left]), strict=True):
-            amount = (line.quantity or read.quantity, line.unit or read.unit)
-            food = self._label(read.object) if read.object else None
-            self._known[line] = CalledFor(food, line.state or read.state, line.text, *amount) if food else None
+            self._known[line] = tuple(self._as_read(line, read))
+
+    def _as_read(self, line: CollectedLine, read: RecipeLine) -> Iterator[CalledFor]:
+        """Yield what a line calls for as it was ``read``; what the collection says itself holds for the first food."""
+        told, quantity, unit = line.state or "", line.quantity, line.unit
+        for one in read.foods:
+            food = self._label(one.object or "")
+            if food:
+                yield CalledFor(food, told or one.state, line.text, quantity or one.quantity, unit or one.unit)
+            told, quantity, unit = "", "", ""
 
     def _without_parser(self, line: CollectedLine) -> CalledFor | None:
         """Return what a line calls for by what the collection says itself; ``None`` leaves it to the parser."""

@@ -25,10 +25,10 @@ _KEPT_ASIDE = "reserved"
 class RecipeLine:
     """What one line asks for. ``text`` is the line as written; what was not understood of it is in ``left_over``.
 
-    ``object`` is ``None`` where the line names no food (a heading); ``others`` are further foods that it names, in its
-    place ("sugar or honey") or beside it ("salt and pepper"). ``state`` is what is asked by
-    all that was done to it (:func:`~foon_kg.food.told_states.asked_state`), ``""`` where the line says nothing of it;
-    ``states`` are all of them in their order. ``quantity`` ("2", "3/2", "2-3") and
+    ``object`` is ``None`` where the line names no food (a heading); ``others`` are further foods that may be taken in
+    its place ("sugar or honey"), ``beside`` what the line asks for as well ("salt and pepper"). ``state`` is what is
+    asked by all that was done to it (:func:`~foon_kg.food.told_states.asked_state`), ``""`` where the line says nothing
+    of it; ``states`` are all of them in their order. ``quantity`` ("2", "3/2", "2-3") and
     ``unit`` are ``""`` where there is none; ``size`` is what is said of it ("large"). ``confidence`` is how sure the
     food is, from 0 to 1.
     """
@@ -41,8 +41,14 @@ class RecipeLine:
     unit: str = ""
     size: str = ""
     others: tuple[str, ...] = ()
+    beside: tuple[RecipeLine, ...] = ()
     left_over: tuple[str, ...] = ()
     confidence: float = 0.0
+
+    @property
+    def foods(self) -> tuple[RecipeLine, ...]:
+        """What the line asks for, each food as a line of its own; none where it names no food."""
+        return () if self.object is None else (replace(self, beside=()), *self.beside)
 
 
 def split_name(text: str) -> tuple[tuple[str, ...], str]:
@@ -81,8 +87,11 @@ def is_bought_so(state: str, food: str) -> bool:
 def as_bought(line: RecipeLine, so: Sequence[str] = ()) -> RecipeLine:
     """Return a line whose food is bought ``so``: cooked under that name, where more was done to it, or in a can.
 
-    What a can holds was diced or crushed by nobody here. A utensil is no food (skewers).
+    What a can holds was diced or crushed by nobody here. A utensil is no food (skewers). Words that say nothing of a
+    food are no part of its name (reserved pasta water).
     """
+    if line.object:
+        line = replace(line, object=_without_praise(line.object))
     if line.object and tables().utensil(line.object) is not None and not tables().foods.is_listed(line.object):
         return replace(line, object=None, left_over=(*line.left_over, line.object))
     canned = tables().foods.as_measured(line.object, [line.unit]) if line.object else ""
@@ -93,6 +102,15 @@ def as_bought(line: RecipeLine, so: Sequence[str] = ()) -> RecipeLine:
     if line.object is None or not rest or not is_bought_so(first[0], line.object):
         return line
     return replace(line, object=f"{first[0]} {line.object}", state=asked_state(rest, tables()), states=rest)
+
+
+def _without_praise(name: str) -> str:
+    """Return a name without the words in front that say nothing of the food; all of one that the table lists."""
+    said = word_list("says nothing of a food in a line")
+    words = name.split()
+    while len(words) > 1 and words[0].lower() in said and not tables().foods.is_listed(" ".join(words)):
+        words = words[1:]
+    return " ".join(words)
 
 
 def states_of(preparation: str) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -17,6 +17,7 @@ from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.told_states import asked_state
 from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
+from foon_kg.language.several_foods import of_one_fruit
 from foon_kg.model.names import canonical
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.state_classes import state_classes
@@ -125,7 +126,7 @@ def read_quickly(line: str) -> RecipeLine | None:
         left_over=(*done[1], *optional, *inside),
         confidence=AGREES,
     )
-    return as_bought(answer, food[0])
+    return of_one_fruit(as_bought(answer, food[0]))
 
 
 def _measures(words: str, quantity: Fraction) -> tuple[str, str, str]:

@@ -23,6 +23,7 @@ from foon_kg.food import tables
 from foon_kg.food.told_states import asked_state
 from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
 from foon_kg.language.plain_lines import read_quickly
+from foon_kg.language.several_foods import with_all_foods, without_mere_states
 from foon_kg.model.errors import FoonError, UsageError
 
 __all__ = ["LineReader", "RecipeLine", "read_fully", "read_quickly", "read_recipe_lines"]
@@ -131,7 +132,8 @@ def _parse(text: str) -> RecipeLine:
     if not parsed.name:
         return RecipeLine(text, None, left_over=(text,))
     quantity, unit = _amount(parsed.amount[0]) if parsed.amount else ("", "")
-    name, preparation = parsed.name[0].text, _text(parsed.preparation)
+    front, names = without_mere_states([name.text for name in parsed.name])
+    name, preparation = names[0], _text(parsed.preparation)
     before, _, after = preparation.partition(", ")
     if f"{before} {name}" in text and is_another_food(before, name):
         name, preparation = f"{before} {name}", after
@@ -143,7 +145,7 @@ def _parse(text: str) -> RecipeLine:
     prepared = (*prepared, "juice") if few and few[1].lower() == "squeeze" else prepared
     remarks = [_text(part) for part in (parsed.comment, parsed.purpose) if part]
     remarks += [f"({aside}"] if aside else []
-    states = tuple(dict.fromkeys((*in_name, *prepared)))
+    states = tuple(dict.fromkeys((*front, *in_name, *prepared)))
     answer = RecipeLine(
         text,
         name,
@@ -152,11 +154,11 @@ def _parse(text: str) -> RecipeLine:
         quantity=quantity,
         unit=unit,
         size=_text(parsed.size),
-        others=tuple(split_name(other.text)[1] for other in parsed.name[1:]),
+        others=tuple(split_name(other)[1] for other in names[1:]),
         left_over=(*unread, *remarks, *(part.text for part in parsed.amount[1:])),
         confidence=round(float(parsed.name[0].confidence), 4),
     )
-    return as_bought(answer, in_name)
+    return with_all_foods(as_bought(answer, in_name), text, names[1:], preparation)
 
 
 def _amount(amount: Any) -> tuple[str, str]:  # noqa: ANN401 - the package's own class, which mypy does not know

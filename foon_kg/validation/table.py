@@ -79,6 +79,7 @@ def _is_left_in(case: Case, part: Part) -> bool:
     """Whether what only gives its taste is still in the dish, by its name, and in one piece."""
     told = {singular(food) for food in case.goal.ingredients} if case.goal is not None else set[str]()
     plucked = not word_list("is plucked off its stem").isdisjoint(part.states)
+    plucked = plucked and not part.food.is_a(*word_list("is a leaf by itself"))
     return part.fine == 0 and not plucked and (part.name in told or not told)
 
 

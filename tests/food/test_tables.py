@@ -324,3 +324,14 @@ def test_what_a_dish_is_for_does_not_name_it():
     assert "sauce" in named
     assert "steak" not in named
     assert [dish.name for dish in tables().dishes_named("Steak for Two")] == ["steak"]
+
+
+def test_a_dish_before_the_name_of_the_type_asks_for_nothing():
+    needs = {
+        (title, dish.name): dish.needs
+        for title in ("Spaghetti-Night Meatballs", "Spaghetti and Meatballs", "Meatball Soup")
+        for dish in tables().dishes_named("soup" if "Soup" in title else "meatball", title)
+    }
+    assert needs["Spaghetti-Night Meatballs", "spaghetti"] == ()
+    assert needs["Spaghetti and Meatballs", "spaghetti"]
+    assert needs["Meatball Soup", "meatball"]

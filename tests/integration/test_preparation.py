@@ -45,7 +45,7 @@ PREPARED = [
     ("pear", "chopped", "core, chop", ""),
     ("banana", "sliced", "peel, slice", ""),
     ("lemon", "juiced", "cut, squeeze", "juice"),
-    ("strawberry", "whole", "", ""),
+    ("raspberry", "berries", "", ""),
     # --- from cans, boxes and bags ---
     ("bean", "canned", "drain", ""),
     ("chickpea", "canned", "drain", ""),
@@ -135,7 +135,7 @@ def test_what_a_food_is_handled_like_is_told_with_its_confidence_and_the_next_be
     ("food", "state", "motion"),
     [
         ("milk", "liquid", "pour"), ("olive oil", "liquid", "pour"), ("salt", "granulated", "sprinkle"),
-        ("sugar", "granulated", "sprinkle"), ("strawberry", "whole", "pick-and-place"), ("tomato", "diced", "pour"),
+        ("sugar", "granulated", "sprinkle"), ("cherry tomato", "whole", "pick-and-place"), ("tomato", "diced", "pour"),
     ],
 )  # fmt: skip
 def test_a_food_is_brought_as_its_form_asks(food, state, motion):
@@ -192,7 +192,8 @@ def test_a_state_is_as_it_is_sold_or_made_or_a_crude_word(food, state, leaf, mak
         ("egg", "whole", {"cook", "shell"}),
         ("salt", "granulated", set()),
         ("bean", "canned", set()),
-        ("strawberry", "whole", set()),
+        ("strawberry", "whole", {"core"}),
+        ("raspberry", "berries", set()),
     ],
 )
 def test_a_cook_owes_to_a_food_what_the_table_says(food, state, due):

@@ -114,8 +114,45 @@ def test_a_process_that_is_ended_is_told(monkeypatch):
         reader.read(["__import__('os')._exit(1)"])
 
 
-def test_further_foods_are_kept():
-    assert read("1 cup sugar or honey").others == ("honey",)
+def test_foods_in_place_of_each_other_are_no_two_foods():
+    answer = read("1 cup sugar or honey")
+    assert answer.others == ("honey",)
+    assert [one.object for one in answer.foods] == ["sugar"]
+
+
+@pytest.mark.parametrize(
+    ("line", "foods"),
+    [
+        ("salt and pepper, to taste", [("salt", ""), ("pepper", "")]),
+        ("salt and freshly ground black pepper", [("salt", ""), ("black pepper", "ground")]),
+        ("salt, pepper and oil", [("salt", ""), ("pepper", ""), ("oil", "")]),
+        ("lettuce, tomato and onion for serving", [("lettuce", ""), ("tomato", ""), ("onion", "")]),
+        ("zest and juice of 1 lemon", [("lemon", "zest"), ("lemon", "juiced")]),
+        ("1 lemon, zested and juiced", [("lemon", "zested"), ("lemon", "juiced")]),
+        ("4 cups chicken or vegetable stock", [("chicken stock", "")]),
+        ("1/2 cup half and half", [("half and half", "")]),
+    ],
+)
+def test_a_line_asks_for_each_of_its_foods(line, foods):
+    (answer,) = read_recipe_lines([line])
+    assert [(one.object, one.state) for one in answer.foods] == foods
+
+
+@pytest.mark.parametrize(
+    ("line", "food", "state"),
+    [
+        ("Hot cooked rice, for serving", "rice", "cooked"),
+        ("hot mashed potatoes, for serving", "potatoes", "mashed"),
+        ("1/2 cup reserved pasta cooking water", "pasta cooking water", ""),
+        ("crusty bread, for serving", "bread", ""),
+        ("2 sprigs thyme", "thyme", "sprig"),
+        ("1/4 cup extra virgin olive oil", "extra virgin olive oil", ""),
+        ("hot sauce", "hot sauce", ""),
+    ],
+)
+def test_a_food_is_called_by_no_word_that_says_only_how_it_is(line, food, state):
+    (answer,) = read_recipe_lines([line])
+    assert (answer.object, answer.state) == (food, state)
 
 
 def test_what_is_not_understood_is_kept():

@@ -299,6 +299,14 @@ def test_k2_what_only_gave_its_taste_is_taken_out_before_the_dish_is_served():
     assert found("K2", heated("soup", "bay leaf", "water") + lifted) == []
 
 
+def test_k2_a_leaf_is_in_one_piece_and_leaves_that_were_plucked_off_a_stem_are_not():
+    def left(food):
+        return found("K2", heated("soup", food, "water").replace(f"{food} (whole", f"{food} (leaves"))
+
+    assert left("bay leaf") == ["K2 (minor): bay leaf is in the dish, and nobody eats it"]
+    assert left("rosemary") == []
+
+
 def test_k6_an_asked_food_is_in_the_dish():
     assert found("K6", recipe("salad", "tomato; salt") + served("salad", "tomato", "salt")) == []
     assert found("K6", recipe("salad", "tomato; leek") + served("salad", "tomato", "salt")) == [

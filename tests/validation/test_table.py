@@ -213,7 +213,7 @@ def whole(food, state="whole"):
         ),
         ("corn", ["K2: corn is in the dish in its husk"]),
         ("cheese", ["K2 (minor): cheese is in the dish in one piece"]),
-        ("strawberry", []),
+        ("strawberry", ["K2 (minor): strawberry is in the dish with its core"]),
         ("almond", []),
         ("spinach", []),
     ],

@@ -16,6 +16,7 @@ from itertools import islice
 
 import neo4j
 
+from foon_kg.food.words import without_part
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.collected import CalledFor, CollectedRecipe, UnderstoodRecipe
 from foon_kg.model.dish_classes import DishClass
@@ -69,10 +70,16 @@ class StoredRecipe:
     ingredients: tuple[CalledFor, ...]
 
     def asked(self, dish_type: str = "") -> Recipe:
-        """Return what is to be planned: as the given dish type, else as its sure one, else as any."""
+        """Return what is to be planned: as the given dish type, else as its sure one, else as any.
+
+        For what of the dish a food is, its line says ("for the glaze").
+        """
         return Recipe(
             dish_type or next((dish.name for dish in self.dish_classes if dish.sure), ""),
-            tuple(RequiredIngredient(called.object, called.state, called.amount) for called in self.ingredients),
+            tuple(
+                RequiredIngredient(called.object, called.state, called.amount, without_part(called.text)[1])
+                for called in self.ingredients
+            ),
             self.id,
             self.title or None,
         )

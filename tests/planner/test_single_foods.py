@@ -1,0 +1,111 @@
+"""What is done to a single food that nobody eats as it is bought: found missing by people who read trees."""
+
+from __future__ import annotations
+
+import pytest
+
+pytestmark = pytest.mark.shared_data
+
+
+def motions_of(told, food):
+    return [motion for inputs, motion, _ in told if food in inputs]
+
+
+def states_of(told, food):
+    return {state for _, _, outputs in told for node in outputs if node.label == food for state in node.states}
+
+
+def test_strawberries_are_hulled_unless_they_are_frozen(steps):
+    fresh = steps("salad", "Fruit Salad", "strawberry:whole", "banana:sliced", "orange juice:juice")
+    assert "core" in motions_of(fresh, "strawberry")
+    frozen = steps("drinks", "Smoothie", "strawberry:frozen", "banana:whole", "milk:liquid")
+    assert "core" not in motions_of(frozen, "strawberry")
+
+
+def test_shrimps_come_out_of_their_shell_by_hand_unless_they_are_asked_deveined(steps):
+    told = steps("seafood", "Garlic Shrimp", "shrimp:raw", "butter:unmelted", "garlic:minced")
+    (shelled,) = [inputs for inputs, motion, _ in told if motion == "peel" and "shrimp" in inputs]
+    assert "knife" not in shelled
+    bought = steps("seafood", "Garlic Shrimp", "shrimp:deveined", "butter:unmelted", "garlic:minced")
+    assert "peel" not in motions_of(bought, "shrimp")
+
+
+@pytest.mark.parametrize(("herb", "state", "is_cut"), [("cilantro", "whole", True), ("basil", "leaves", False)])
+def test_herbs_are_chopped_into_a_salad_unless_their_leaves_are_served(steps, herb, state, is_cut):
+    told = steps("salad", "Tomato Salad", "tomato:whole", "olive oil:liquid", f"{herb}:{state}")
+    assert ("chop" in motions_of(told, herb)) is is_cut
+
+
+def test_what_only_gives_its_taste_is_taken_out_in_one_step(steps):
+    told = steps(
+        "soup", "", "lentil:bean", "stock:liquid", "carrot:chopped", "bay leaf:leaves", "thyme:sprig", "onion:chopped"
+    )
+    (taken,) = [outputs for _, motion, outputs in told if motion == "remove"]
+    assert {"bay leaf", "thyme"} <= {node.label for node in taken}
+
+
+def test_kernels_come_off_their_cob_where_more_is_in_the_dish(steps):
+    soup = steps("soup", "", "corn:whole", "stock:liquid", "bean:bean", "chicken:meat")
+    assert "shaved" in states_of(soup, "corn")
+    alone = steps("vegetables", "Corn on the Cob", "corn:whole", "butter:unmelted", "salt:ground")
+    assert "shaved" not in states_of(alone, "corn")
+
+
+def test_meat_is_cut_for_what_is_eaten_with_a_spoon(steps):
+    told = steps("soup", "", "chicken:meat", "stock:liquid", "carrot:whole", "onion:whole")
+    assert "chopped" in states_of(told, "chicken")
+
+
+def test_ground_garlic_is_under_no_knife(steps):
+    told = steps("salad", "", "potato:whole veg", "mayonnaise:creamy", "garlic:ground", "chive:chopped")
+    assert not [inputs for inputs, _, _ in told if {"garlic", "knife"} <= inputs]
+
+
+def test_butter_is_soft_when_it_is_beaten_and_hard_when_it_is_cut_into_flour(steps):
+    cake = steps("cake", "", "flour:ground", "sugar:ground", "butter:creamy", "egg:whole raw", "baking powder:ground")
+    beaten = [outputs for inputs, motion, outputs in cake if motion == "pick-and-place" and "butter" in inputs]
+    assert any("softened" in node.states for node in beaten[0])
+    pie = steps("pie", "Apple Pie", "flour:powder", "butter:unmelted", "apple:whole", "sugar:granulated")
+    assert "softened" not in states_of(pie, "butter")
+
+
+def test_a_whole_nutmeg_is_grated(steps):
+    told = steps("bread", "", "flour:ground", "egg:whole raw", "nutmeg:whole nuts", "sugar:ground", "oil:juice")
+    assert "grate" in motions_of(told, "nutmeg")
+
+
+def test_a_raw_salsa_is_chopped_into_a_bowl_and_one_of_canned_tomatoes_is_blended(steps):
+    raw = steps("sauce", "Mango Salsa", "mango:unpeeled", "red onion:whole", "cilantro:whole", "lime:juiced")
+    assert not any("measuring cup" in inputs for inputs, _, _ in raw)
+    assert "chop" in motions_of(raw, "cilantro")
+    canned = steps("sauce", "Salsa", "tomato:canned", "onion:chopped", "jalapeno:whole", "lime:juiced")
+    assert "blend" in motions_of(canned, "tomato")
+
+
+def test_flat_bread_is_cooked_in_a_pan_and_what_lies_on_it_comes_last(steps):
+    told = steps(
+        "bread", "Garlic Naan", "flour:powder", "yeast:powder", "water:liquid", "butter:melted", "garlic:minced"
+    )
+    motions = [motion for _, motion, _ in told]
+    assert "bake" not in motions
+    assert motions_of(told, "garlic")[-1] == "pour"
+    assert len(told) - max(place for place, motion in enumerate(motions) if motion == "cook") <= 6
+
+
+def test_bought_meatballs_are_made_hot_in_their_sauce(steps):
+    told = steps("meatball", "Party Meatballs", "meatball:frozen", "chili sauce:sauce", "grape jelly:jelly")
+    assert "simmer" in motions_of(told, "meatball")
+    assert "shape" not in {motion for _, motion, _ in told}
+
+
+def test_tubes_of_pasta_are_filled_and_not_rolled(steps):
+    told = steps(
+        "pasta",
+        "Cannelloni",
+        "cannelloni:raw",
+        "ricotta:creamy",
+        "spinach:leaves",
+        "egg:whole raw",
+        "tomato sauce:sauce",
+    )
+    assert "roll" not in {motion for _, motion, _ in told}
