@@ -19,6 +19,7 @@ UNIT_WORDS = re.compile(
     r"second|minute|byte|hour|percent|0 to 1|at most|how many|number of|so many|lines?|rows?|metre|°|ms\b"
 )
 SOURCE_WORDS = re.compile(r"paper|algorithm [1-4]|Sakib|contract|C\d+|docs/|et al|\b(19|20)\d\d\b")
+AT_A_DOOR = re.compile(r"\.(command|callback|get|post|tool)\b|\b(typer|Query|Field)\b|^(Files|Json|Quiet|Request)$")
 FIRST_WORD = re.compile(r"^[A-Z][a-z]+\b")
 
 
@@ -87,7 +88,9 @@ def score(function: Function) -> Score:
         function,
         {
             "purpose": bool(FIRST_WORD.match(text)),
-            "arguments": all(_is_told(one, told) for one in arguments) if arguments else None,
+            "arguments": all(_is_told(one, told) for one in arguments)
+            if arguments and not _is_asked_from_outside(function.node)
+            else None,
             "units": bool(UNIT_WORDS.search(text)) if numbers else None,
             "errors": bool(re.search(r"\braises?\b|refuse|Error", text)) if raised else None,
             "source": bool(SOURCE_WORDS.search(text))
@@ -96,6 +99,12 @@ def score(function: Function) -> Score:
             "example": ">>>" in text,
         },
     )
+
+
+def _is_asked_from_outside(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
+    """Return whether ``function`` is a command, an API path or an agents' tool: its arguments have a help each."""
+    asked = (one.annotation for one in (*function.args.args, *function.args.kwonlyargs) if one.annotation is not None)
+    return any(AT_A_DOOR.search(ast.unparse(one)) for one in (*function.decorator_list, *asked))
 
 
 def _is_told(argument: str, text: str) -> bool:

@@ -80,7 +80,7 @@ def _folder(name: str) -> tuple[NamedQuery, ...]:
 
 
 def read_query(name: str, text: str) -> NamedQuery:
-    """Read the text of a ``.cypher`` file."""
+    """Return the query called ``name`` of the ``text`` of a ``.cypher`` file."""
     fields: dict[str, list[str]] = {word: [] for word in _FIELDS}
     prose: list[str] = []
     for line in _header(text.splitlines()):

@@ -35,7 +35,8 @@ def is_epic_kitchens(text: str) -> bool:
 def read_epic_kitchens(text: str, file: str) -> NarratedFile:
     """Return a narration for every video of a table, in the order of their first rows, actions by their start.
 
-    A row that cannot be used is left out and told with its line. Never raises.
+    ``text`` is that of the CSV ``file``, which the notes name. A row that cannot be used is left out and told with its
+    line. Never raises.
     """
     journal = Journal(file)
     missing = dict.fromkeys(COLUMNS, "")

@@ -77,7 +77,7 @@ def _open(path: Path) -> AbstractContextManager[TextIO]:
 
 
 def lesson_of(drafted: DraftedRecipe) -> Lesson | None:
-    """Return what a draft teaches; ``None`` where it has no unit, or none that makes a dish of a known type."""
+    """Return what a ``drafted`` recipe teaches; ``None`` for no unit, or none that makes a dish of a known type."""
     if not drafted.table or not drafted.dish_type:
         return None
     (result,) = read_video_text(drafted.table, drafted.name)
@@ -89,7 +89,7 @@ def lesson_of(drafted: DraftedRecipe) -> Lesson | None:
 
 
 def lessons_of(drafted: Iterable[DraftedRecipe]) -> tuple[Lesson, ...]:
-    """Return what drafts teach, sorted by name; of two drafts of one recipe the last counts."""
+    """Return what ``drafted`` recipes teach, sorted by name; of two drafts of one recipe the last counts."""
     found = {one.name: lesson_of(one) for one in drafted}
     return tuple(lesson for _, lesson in sorted(found.items()) if lesson is not None)
 

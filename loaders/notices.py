@@ -180,7 +180,10 @@ class Journal:
     def result(
         self, name: str, annotations: Sequence[Annotation], sources: Sequence[str], lines: Sequence[int] = ()
     ) -> ReadResult:
-        """Return what was read. A file without any unit is rejected: it is hardly a FOON."""
+        """Return what was read of the video ``name``. A file without any unit is rejected: it is hardly a FOON.
+
+        ``annotations`` are in the file's order, ``lines`` where each begins; ``sources`` are addresses of the video.
+        """
         if annotations:
             return self._ended(Subgraph(name, tuple(annotations), tuple(sources)), lines)
         if any(notice.severity is Severity.REJECTED for notice in self._notices):

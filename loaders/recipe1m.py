@@ -42,7 +42,7 @@ class Recipe1M(AbstractContextManager["Recipe1M"]):
         self._disk.execute("PRAGMA synchronous = OFF")
 
     def read_beside(self, tell: Tell) -> None:
-        """Read what lies beside ``layer1.json``, once, before :meth:`recipes`; what cannot be used of it is told.
+        """Read what lies beside ``layer1.json``, once, before :meth:`recipes`; ``tell`` hears what cannot be used.
 
         Raises ReadError where a file is no JSON list or ends too early.
         """
@@ -50,7 +50,7 @@ class Recipe1M(AbstractContextManager["Recipe1M"]):
         self._keep("amounts", NUTRITION, _amounts, tell)
 
     def recipes(self, tell: Tell) -> Iterator[CollectedRecipe]:
-        """Yield the recipes in the order of ``layer1.json``; what is no recipe is told and left out."""
+        """Yield the recipes in the order of ``layer1.json``; ``tell`` hears of what is no recipe and is left out."""
         for number, value in stream_list(self._path):
             place = f"{self._path}: element {number}"
             problem = _problem(value)

@@ -32,7 +32,8 @@ class RecipeCollections(AbstractContextManager["RecipeCollections"]):
     def check(self, progress: Callable[[], None] = lambda: None) -> int:
         """Read every file to its end, tell whatever is odd, and return how many recipes can be used.
 
-        Raises ReadError where a file ends too early or is not what its name says, before anything has been written.
+        ``progress`` is called at each. Raises ReadError where a file ends too early or is not what its name says,
+        before anything has been written.
         """
         for collection in self._recipe1m.values():
             collection.read_beside(self._tell)

@@ -38,7 +38,7 @@ _OPEN_QUOTE = re.compile(r"EOF inside string starting at row (\d+)")
 
 
 def read_rows(path: Path, tell: Tell) -> Iterator[CollectedRecipe]:
-    """Yield the recipes of one file in their order; what is no recipe is told and left out.
+    """Yield the recipes of the file at ``path`` in their order; ``tell`` hears of what is no recipe and is left out.
 
     Raises ReadError where the file cannot be read as what its ending says, UsageError for an unknown ending or where
     the extra ``recipes`` is not installed.

@@ -39,7 +39,7 @@ class TextReader:
         self._one_of_equals: dict[ObjectNode, ObjectNode] = {}
 
     def read(self, text: str, name: str, file: str = "") -> ReadResult:
-        """Return what :func:`read_text` answers."""
+        """Return the video ``name`` in a ``text``, as :func:`read_text` does; messages name the ``file``."""
         journal = Journal(file or name)
         known = self._lines
         lines = [known[line] if line in known else self._line(line) for line in _LINE_END.split(text)]

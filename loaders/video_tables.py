@@ -84,7 +84,10 @@ def read_video_table(path: Path) -> tuple[ReadResult, ...]:
 
 
 def read_video_text(text: str, name: str, file: str = "") -> tuple[ReadResult, ...]:
-    """Return what :func:`read_video_table` answers; a row without ``video`` belongs to the video ``name``."""
+    """Return what :func:`read_video_table` does of a ``text``; a row without ``video`` belongs to the video ``name``.
+
+    Messages name the ``file``.
+    """
     file = file or name
     try:
         rows = list(table_rows(text))

@@ -56,13 +56,16 @@ class AnswerFile:
 
 
 def exit_code_of(line: JsonObject) -> int:
-    """Return the exit code that an answer stands for."""
+    """Return the exit code that an answer, a ``line`` of a file, stands for."""
     error = line.get("error")
     return _EXIT_CODES.get(str(error.get("code")), NoTreeError.exit_code) if isinstance(error, dict) else 0
 
 
 def value_of(path: Path, number: int, line: bytes) -> JsonObject:
-    """Return the answer that is a line of a file; raises UsageError where it is none."""
+    """Return the answer in a ``line`` of the file at ``path``.
+
+    Raises UsageError with its ``number`` where it is none.
+    """
     try:
         value = json.loads(line)
     except (ValueError, RecursionError) as error:

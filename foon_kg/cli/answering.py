@@ -45,9 +45,10 @@ def answer_all(
     *,
     dask: str | None = None,
 ) -> int:
-    """Return and write ``questions``, those that the output file answers already apart; return the exit code.
+    """Answer ``questions`` and write the answers, but for those that the output file has already; return the exit code.
 
-    They are planned in ``jobs`` processes, or on the cluster of the scheduler at ``dask``.
+    They are planned of ``foon`` with ``settings`` in ``jobs`` processes, or on the cluster of the scheduler at
+    ``dask``; ``writing`` says where to, and in which form.
     """
     done = None if writing.output is None else _answered_before(writing.output, questions, foon, settings)
     there = 0 if done is None else len(done.lines)
@@ -70,7 +71,7 @@ def show_line(answer: Answer) -> None:
 
 
 def show_text(answer: Answer) -> None:
-    """Print a tree as FOON text; nothing where there is none."""
+    """Print the tree of an ``answer`` as FOON text; nothing where there is none."""
     from foon_kg.loaders import write_text
     from foon_kg.plans.result import PlanResult
 
@@ -79,7 +80,7 @@ def show_text(answer: Answer) -> None:
 
 
 def show_view(answer: Answer) -> None:
-    """Print a tree for reading, with its explanations; nothing where there is none."""
+    """Print the tree of an ``answer`` for reading, with its explanations; nothing where there is none."""
     from foon_kg.formats.views.explanation import explanation_view
     from foon_kg.formats.views.tree import plan_view
     from foon_kg.plans.result import PlanResult

@@ -71,7 +71,7 @@ def form_of(path: Path) -> Form:
 
 
 def whole_blocks(path: Path) -> Iterator[tuple[bytes, int]]:
-    """Yield what each whole block of a file holds and where it ends; nothing of a file that is not there.
+    """Yield what each whole block of the file at ``path`` holds and where it ends; nothing if there is no such file.
 
     What follows the last whole block was being written when a run ended. Raises UsageError where the file cannot be
     read, or is not of the form that its ending says.
@@ -90,9 +90,10 @@ def whole_blocks(path: Path) -> Iterator[tuple[bytes, int]]:
 
 @contextmanager
 def adding(path: Path, size: int) -> Iterator[Callable[[str], None]]:
-    """Open a file behind its first ``size`` bytes; return what adds a line. A block is on disk when it is full.
+    """Open the file at ``path`` behind its first ``size`` bytes; return what adds a line.
 
-    The last one, too, where the block of ``with`` ends well; else it is left out. Raises UsageError for no file.
+    A block is on disk when it is full. The last one, too, where the block of ``with`` ends well; else it is left out.
+    Raises UsageError for no file.
     """
     form, hint = form_of(path), "--output names a file that can be written."
     with writing(path, hint):

@@ -17,7 +17,11 @@ if TYPE_CHECKING:
 def show_candidates(
     question: Question, foon: Foon, settings: PlanSettings, most: int, *, as_json: bool, say: Say
 ) -> None:
-    """Print the reference trees of the goal after which a recipe is made, best first, of ``most`` combinations."""
+    """Print the reference trees of the goal after which the recipe of ``question`` is made, best first.
+
+    They are looked for in ``foon`` by ``settings``, ``most`` combinations of producers; ``as_json`` prints JSON, and
+    ``say`` hears what is noted.
+    """
     from foon_kg.formats.views.candidates import candidates_view
     from foon_kg.model.node_json import node_to_json, recipe_to_json
 

@@ -75,7 +75,10 @@ class ErrorsAtTheEdge(HelpedGroup):
     """
 
     def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any) -> Any:  # noqa: ANN401 - as typer has it
-        """Read the options of the program itself."""
+        """Return the context of the program ``info_name`` below its ``parent``.
+
+        Its own options are read from ``args``.
+        """
         asked = _asks_json(args)
         try:
             context = super().make_context(info_name, args, parent, **extra)
@@ -85,7 +88,7 @@ class ErrorsAtTheEdge(HelpedGroup):
         return context
 
     def invoke(self, ctx: typer.Context) -> Any:  # type: ignore[override]  # noqa: ANN401 - as typer has it
-        """Run the command that was asked for."""
+        """Run the command that was asked for, in the context ``ctx``."""
         try:
             return super().invoke(ctx)
         except _WRONG_USAGE as error:
@@ -150,7 +153,7 @@ class Sayer:
         messages(quiet=self.quiet).print(text, markup=False)
 
     def waiting(self, text: str) -> AbstractContextManager[object]:
-        """Say what begins; for as long as it lasts a terminal shows the seconds."""
+        """Say with ``text`` what begins; for as long as it lasts a terminal shows the seconds."""
         from foon_kg.cli.runs import counting
 
         if self.quiet or not messages().is_terminal:
@@ -160,7 +163,7 @@ class Sayer:
 
 
 def sayer(*, quiet: bool) -> Sayer:
-    """Return what prints a line to stderr, or keeps it to itself."""
+    """Return what prints a line to stderr, or where it shall be ``quiet``, keeps it to itself."""
     return Sayer(quiet)
 
 
@@ -186,7 +189,7 @@ def json_line(value: object) -> str:
 
 
 def show_error(error: FoonError, about: str | None = None) -> None:
-    """Print what is wrong (with which of many, ``about``) on one line of stderr, and what to do on the next."""
+    """Print the ``error`` (of which of many, ``about``) on one line of stderr, and what to do on the next."""
     console = messages()
     console.print("error:", style="bold red", end=" ")
     console.print(f"{about}: {error.message}" if about else error.message, markup=False)

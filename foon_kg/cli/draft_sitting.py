@@ -28,7 +28,7 @@ _KEYS = "Enter accept · e edit · d leave out · s later · b back · u undo ·
 
 
 def review_in_person(path: Path, output: Path | None) -> bool:
-    """Ask a person about a draft until nothing is left or they quit; return whether it is decided.
+    """Ask a person about the draft at ``path`` until nothing is left or they quit; return whether it is decided.
 
     Each decision is in the file at once, so that the next review goes on from there. A draft that is decided is written
     as FOON text to ``output``, beside the draft where that is ``None``.
@@ -48,7 +48,7 @@ def review_in_person(path: Path, output: Path | None) -> bool:
 
 
 def read_table(path: Path) -> str:
-    """Return the text of a table; raises ReadError where it cannot be read."""
+    """Return the text of the table at ``path``; raises ReadError where it cannot be read."""
     from foon_kg.loaders.notices import UnreadableFile
     from foon_kg.loaders.paths import decode
     from foon_kg.model.regular_files import read_bytes
@@ -82,7 +82,7 @@ def draft_of_recipe(path: Path, recipe_id: str) -> Path:
 
 
 def write_subgraph(review: Review, target: Path) -> Path:
-    """Write the units of a review as FOON text, and return where."""
+    """Write the units of a ``review`` as FOON text to ``target``, and return where."""
     from foon_kg.loaders.text_writer import write_text
 
     write_file(target, write_text(review.subgraph()), "Name a file that can be written after --output.")
@@ -179,7 +179,7 @@ class Sitting:
 
 
 def decision_view(decision: Decision, number: int, of: int) -> RenderableType:
-    """Return a decision for a terminal: what was said on the left, its unit on the right, the reasons below."""
+    """Return a ``decision``, ``number`` of so many (``of``): left what was said, right its unit, the reasons below."""
     from rich.console import Group
     from rich.rule import Rule
     from rich.table import Table

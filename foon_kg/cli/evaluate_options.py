@@ -59,7 +59,7 @@ class Run:
     method: Literal["frames", "paper"] = "frames"
 
     def spread(self, make: Callable[[], Callable[[T], A]], items: Sequence[T]) -> AbstractContextManager[Iterator[A]]:
-        """Open what works on ``items``: the cluster, the processes, or for few items just this one."""
+        """Open what works on ``items`` as ``make`` makes it: a cluster, processes, or for few items just this one."""
         from foon_kg.planning.batch import MANY, cores
         from foon_kg.planning.cluster import spread_over
         from foon_kg.planning.processes import spread
@@ -73,19 +73,22 @@ class Run:
 
 
 def foon_key(snapshot: Snapshot) -> str:
-    """Return a name for what a FOON knows: equal for equal units."""
+    """Return a name for what the FOON of ``snapshot`` knows: equal for equal units."""
     from foon_kg.model import content_key
 
     return content_key([known.unit.key for known in snapshot.units])
 
 
 def compared(before: JsonObject, after: JsonObject, where: str, seed: int) -> Comparison:
-    """Return what changed between two evaluations in JSON, of which the first was read from ``where``."""
+    """Return what changed from the evaluation ``before`` (JSON, read from ``where``) to that ``after``.
+
+    ``seed`` is that of the resampling.
+    """
     from foon_kg.evaluation.comparison import compare, shares_of
 
     return compare(shares_of(before, where), shares_of(after, "this evaluation"), seed)
 
 
 def write_text(path: Path, text: str, option: str) -> None:
-    """Write ``text`` to the file that ``option`` names; raises UsageError where that cannot be."""
+    """Write ``text`` to the file at ``path`` that ``option`` names; raises UsageError where that cannot be."""
     write_file(path, text, f"{option} names a file that can be written.")

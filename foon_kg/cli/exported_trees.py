@@ -21,10 +21,11 @@ from foon_kg.plans.result import PlanResult
 
 
 def read_exported_trees(path: Path, say: Say) -> list[ExportedTree]:
-    """Return the trees of a file, in their order; ``-`` is standard input.
+    """Return the trees of the file at ``path``, in their order; ``-`` is standard input.
 
-    Plan results that are no trees are passed over with a word. Raises :class:`~foon_kg.model.errors.NoTreeError` where
-    that leaves none, :class:`~foon_kg.model.errors.ReadError` for what is neither a plan result nor a FOON.
+    Plan results that are no trees are passed over, and ``say`` hears of it. Raises
+    :class:`~foon_kg.model.errors.NoTreeError` where that leaves none, :class:`~foon_kg.model.errors.ReadError` for what
+    is neither a plan result nor a FOON.
     """
     text = text_of(path)
     if not text.lstrip().startswith(("{", "[")):

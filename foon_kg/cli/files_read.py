@@ -77,7 +77,7 @@ class Gathered:
     """Words that no table has, and that the FOON has already."""
 
     def add(self, result: ReadResult) -> None:
-        """Add one file."""
+        """Add the ``result`` of one file."""
         self.files += 1
         self.bad += result.rejected > 0
         self.notices += result.notices
@@ -117,7 +117,7 @@ def remembered(files: Sequence[Path]) -> FilesRead | None:
 
 
 def remember(files: Sequence[Path], read: FilesRead) -> None:
-    """Keep what ``files`` say."""
+    """Keep what was ``read`` of ``files``."""
     asked = _asked(files)
     if asked is not None:
         notices = [astuple(notice) for notice in read.notices]
@@ -142,7 +142,7 @@ def _asked(files: Sequence[Path]) -> str | None:
 
 
 def odd_words(results: Iterable[ReadResult], labels: Iterable[str] = ()) -> Mapping[UnknownWord, Where]:
-    """Return the words that no table has, or only as a typing error, each with the place that has it first.
+    """Return the words of ``results`` that no table has, or only as a typing error of another, with where they are.
 
     What one of them may mean is sought in the tables, among ``labels``, which the FOON has, and in what more files say.
     """

@@ -21,6 +21,6 @@ class Commanded(typer.Typer):
         super().__init__(**{**alike, "pretty_exceptions_enable": False, **options})
 
     def command(self, name: str | None = None, **options: Any) -> Callable[[F], F]:  # noqa: ANN401 - the same
-        """Return what makes a command of a function."""
+        """Return what makes a command of a function, under ``name`` or else its own."""
         made: Callable[[F], F] = super().command(name, **{"cls": HelpedCommand, **options})
         return made

@@ -23,11 +23,11 @@ class HelpedCommand(TyperCommand):
     """A command whose help is drawn where somebody looks at it."""
 
     def collect_usage_pieces(self, ctx: typer.Context) -> list[str]:  # type: ignore[override]
-        """Return what stands behind the command's name in the usage line."""
+        """Return what stands behind the command's name in the usage line, in the context ``ctx``."""
         return [_plainly(piece) for piece in super().collect_usage_pieces(ctx)]
 
     def get_params(self, ctx: typer.Context) -> list[Any]:  # type: ignore[override]
-        """Return the parameters; of arguments help names no type of Python: their names say what they take."""
+        """Return the parameters in the context ``ctx``, without types of Python: their names say what they take."""
         found: list[Any] = super().get_params(ctx)
         for one in found:
             if one.param_type_name == "argument":
@@ -53,7 +53,7 @@ class HelpedGroup(TyperGroup):
             super().format_help(ctx, formatter)
 
     def format_commands(self, ctx: typer.Context, formatter: Any) -> None:  # type: ignore[override]  # noqa: ANN401 - typer's
-        """Write the commands, each group below its heading."""
+        """Write the commands of the context ``ctx`` with ``formatter``, each group below its heading."""
         panels: dict[str, list[tuple[str, str]]] = {}
         commands = {name: self.get_command(ctx, name) for name in self.list_commands(ctx)}
         longest = max(map(len, commands), default=0)

@@ -20,7 +20,10 @@ KitchenFile = Annotated[
 
 
 def kitchen_of(file: Path | None, foon: Foon, say: Say) -> Kitchen:
-    """Return the kitchen that ``file`` describes; what had to be decided to read it goes to ``say``."""
+    """Return the kitchen that ``file`` describes, by the words of ``foon``.
+
+    What had to be decided to read it goes to ``say``.
+    """
     from foon_kg.plans.kitchen import Kitchen
 
     if file is None:

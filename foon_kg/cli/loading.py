@@ -60,7 +60,10 @@ def tell_in_short(
 
 
 def in_short(skipped: int, assumed: int, unknown: int) -> str:
-    """Return how much of some files is odd, as in “3 units skipped, 288 assumptions”."""
+    """Return how much of some files is odd, as in “3 units skipped, 288 assumptions”.
+
+    So many units are ``skipped``, so much is ``assumed``, and so many words are ``unknown``.
+    """
     told = (
         (skipped, f"{_counted(skipped, 'unit')} skipped"),
         (assumed, _counted(assumed, "assumption")),
@@ -72,7 +75,7 @@ def in_short(skipped: int, assumed: int, unknown: int) -> str:
 def tell_assumed(notices: Sequence[Notice], counts: Mapping[NoticeKind, int], report: Path | None, say: Say) -> None:
     """Say what was read with an assumption: one by one where that is little, else in ``counts`` by kind.
 
-    ``notices`` are the first ones; there may be more.
+    ``notices`` are the first ones; there may be more. The ``report`` is the file that lists all of them.
     """
     count = sum(counts.values())
     if count <= _FEW:
@@ -83,16 +86,17 @@ def tell_assumed(notices: Sequence[Notice], counts: Mapping[NoticeKind, int], re
 
 
 def unknown_notice(word: UnknownWord, file: str, line: int | None = None) -> Notice:
-    """Return what is said of a word that no table has; ``file`` is the first one that has it."""
+    """Return what is said of a ``word`` that no table has; ``file`` and ``line`` are the first that have it."""
     from foon_kg.loaders import Notice, NoticeKind
 
     return Notice(file, line, NoticeKind(f"unknown-{word.kind}"), word.what, f"taken for {word.taken_for}")
 
 
 def tell_unknown(words: Mapping[UnknownWord, Where], report: Path | None, say: Say) -> None:
-    """Say which words the tables of foods, utensils, states and motions do not have.
+    """Say which ``words`` the tables of foods, utensils, states and motions do not have.
 
-    Few are said one by one, with file and line; of many those that look misspelled, and the others in one line.
+    Few are said one by one, with file and line; of many those that look misspelled, and the others in one line. The
+    ``report`` is the file that lists all of them.
     """
     if len(words) <= _FEW:
         for word, where in words.items():
@@ -121,17 +125,23 @@ def _first(words: Sequence[str]) -> str:
 
 
 def where_listed(report: Path | None) -> str:
-    """Return where to find all that is odd."""
+    """Return where to find all that is odd: in the ``report``, or how to get one."""
     return f"see {report}" if report else "--report FILE lists them"
 
 
 def is_too_many(rejected: int, usable: int, tolerance: int | None) -> bool:
-    """Return whether more is ``rejected`` than was allowed; as a rule that is one in a hundred."""
+    """Return whether more is ``rejected``, beside what is ``usable``, than ``tolerance`` allows.
+
+    As a rule (``None``) that is one in a hundred.
+    """
     return rejected > ((rejected + usable) // _ONE_IN if tolerance is None else tolerance)
 
 
 def refuse_too_many(rejected: int, usable: int, tolerance: int | None, what: str, where: str = "") -> None:
-    """Raise ToleranceError where more is ``rejected`` than allowed; ``what`` is one of it, as in: unit."""
+    """Raise ToleranceError where more is ``rejected``, beside what is ``usable``, than ``tolerance`` allows.
+
+    ``what`` is one of it, as in: unit; ``where`` follows in the message.
+    """
     from foon_kg.model.errors import ToleranceError
 
     if is_too_many(rejected, usable, tolerance):

@@ -46,8 +46,9 @@ class Done:
 def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, run: CollectionRun) -> int:
     """Plan all recipes of the graph, or those that surely are the dish type ``which``; return the exit code.
 
-    What is in the file already stays; recipes that were loaded among those it has are refused. Nothing is held of all
-    that is written: a collection may have millions of recipes.
+    They are planned with ``settings`` in the ``kitchen`` of a file, and written as ``run`` says. What is in the file
+    already stays; recipes that were loaded among those it has are refused. Nothing is held of all that is written: a
+    collection may have millions of recipes.
     """
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import front_door

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def show_rules(*, as_json: bool) -> None:
-    """Print every rule: its id, its name and one sentence."""
+    """Print every rule: its id, its name and one sentence; or ``as_json``."""
     from foon_kg.validation.contract import rules
 
     if as_json:
@@ -29,7 +29,10 @@ def show_rules(*, as_json: bool) -> None:
 
 
 def show_rule(name: str, *, as_json: bool) -> None:
-    """Print one rule with its text, an example that keeps it and one that breaks it; raises UsageError if unknown."""
+    """Print the rule ``name`` with its text, an example that keeps it and one that breaks it; or ``as_json``.
+
+    Raises UsageError where there is no such rule.
+    """
     from foon_kg.validation.contract import rule
 
     found = rule(name)

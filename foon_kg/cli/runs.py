@@ -22,7 +22,10 @@ _MINUTE = 60
 
 
 def progress_bar(items: Iterable[T], label: str, total: int, done: int = 0, *, quiet: bool = False) -> Iterator[T]:
-    """Pass ``items`` on; show how many of ``total`` are done by now, ``done`` of them before."""
+    """Pass ``items`` on, and show under a ``label`` how many of ``total`` are done, ``done`` of them before.
+
+    Nothing is shown where it shall be ``quiet``.
+    """
     with counting(label, total, done, quiet=quiet) as advance:
         for item in items:
             yield item
@@ -30,7 +33,10 @@ def progress_bar(items: Iterable[T], label: str, total: int, done: int = 0, *, q
 
 
 def waited(items: Iterable[T], label: str, *, quiet: bool = False) -> Iterator[T]:
-    """Pass ``items`` on; show that the next one is waited for, and nothing while one is used."""
+    """Pass ``items`` on.
+
+    Show under a ``label``, unless ``quiet``, that the next is waited for, nothing while one is used.
+    """
     following, ended = iter(items), object()
     while True:
         with counting(label, quiet=quiet, closing=False):
@@ -52,8 +58,9 @@ def counting(
 ) -> Iterator[Callable[[int], None]]:
     """Show a bar with a ``label`` of what is done, as in "Planning recipes", and close it with a line of its own.
 
-    Yield what is told how many more are done. Where nobody knows the ``total``, seconds run on instead. It is shown
-    ``after`` so many seconds (``SHOWN_AFTER``); without ``closing`` no line stays behind.
+    Yield what is told how many more are done, ``done`` of them before. Where nobody knows the ``total``, seconds run on
+    instead. It is shown ``after`` so many seconds (``SHOWN_AFTER``), and not at all where it shall be ``quiet``;
+    without ``closing`` no line stays behind.
     """
     after = SHOWN_AFTER if after is None else after
     console = messages(quiet=quiet)

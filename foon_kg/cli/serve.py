@@ -105,7 +105,7 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 
 
 def served_foon(files: Sequence[Path] | None, say: Say) -> FoonSource:
-    """Return the FOON to serve: of ``files``, else of the environment's Neo4j or the local one."""
+    """Return the FOON to serve: of ``files``, else of the environment's Neo4j or the local one, and ``say`` which."""
     from foon_kg.cli.knowledge import front_door
     from foon_kg.foon import Foon
     from foon_kg.web.foon import EMPTY, FixedFoon, LiveFoon

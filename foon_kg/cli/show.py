@@ -131,9 +131,10 @@ def _at_most_one(what: str, asked: Sequence[str]) -> None:
 
 
 def shown_tree(path: Path, line: int = 1) -> ShownTree:
-    """Read the tree to look at: the result at ``line`` of a file (``-``: standard input) of JSON, or FOON text.
+    """Return the tree to look at: the result at ``line`` of the file at ``path`` (``-``: standard input), or FOON text.
 
-    Raises ReadError where there is none, and the error of a recipe that has no tree.
+    The file has JSON, one result or a line each. Raises ReadError where there is none, and the error of a recipe that
+    has no tree.
     """
     from foon_kg.cli.tree_files import json_values, text_of
 

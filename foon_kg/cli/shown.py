@@ -128,7 +128,7 @@ class Shown:
 
 
 def pixels(drawn: str) -> bytes:
-    """Return a picture (SVG) as PNG."""
+    """Return the picture ``drawn`` (SVG) as PNG."""
     from foon_kg.formats.pictures.png import png_of
 
     return png_of(drawn)

@@ -16,7 +16,7 @@ def data() -> Console:
 
 
 def messages(*, quiet: bool = False) -> Console:
-    """Return the console for messages and progress: stderr, or nothing at all."""
+    """Return the console for messages and progress: stderr, or where it shall be ``quiet``, nothing at all."""
     from rich.console import Console
 
     return Console(stderr=True, quiet=quiet, highlight=False, soft_wrap=True)

@@ -101,7 +101,10 @@ def _marked(subgraph: Subgraph) -> str:
 
 
 def json_values(file: Path, text: str) -> Iterator[tuple[int, object]]:
-    """Yield each JSON value of a text with the line where it begins, whether one a line or spread over many."""
+    """Yield each JSON value in ``text`` with the line where it begins, whether one a line or spread over many.
+
+    Errors name the ``file``.
+    """
     place, line, counted = _after_space(text, 0), 1, 0
     while place < len(text):
         line, counted = line + text.count("\n", counted, place), place

@@ -74,7 +74,7 @@ class DishFigures:
 
     @classmethod
     def of(cls, name: str, recipes: Sequence[RecipeFigures], seed: int) -> DishFigures:
-        """Take ``recipes`` together under ``name``."""
+        """Return ``recipes`` taken together under ``name``, with intervals that are resampled from ``seed``."""
         shares, lines = [recipe.correct for recipe in recipes], [len(recipe.scores) for recipe in recipes]
         return cls(name, tuple(recipes), bootstrap_mean(shares, seed, lines))
 

@@ -26,7 +26,7 @@ from foon_kg.store.snapshot import Snapshot
 def asking_without(
     subgraphs: Sequence[Subgraph], kitchen: Kitchen, methods: Sequence[str]
 ) -> Callable[[LeftOutVideo], VideoFigures]:
-    """Return what asks ``methods`` for a video, each of a FOON of all ``subgraphs`` but that one."""
+    """Return what asks ``methods`` for a video in a ``kitchen``, each of a FOON of all ``subgraphs`` but that one."""
     return partial(_asked_without, subgraphs, kitchen, methods)
 
 

@@ -25,7 +25,7 @@ class LeftOutVideo:
 
 
 def left_out_video(subgraph: Subgraph, kitchen: Kitchen) -> LeftOutVideo | None:
-    """Return the question that ``subgraph`` becomes; ``None`` for one that marks no dish, or one of no foods.
+    """Return the question that ``subgraph`` becomes in ``kitchen``; ``None`` for one that marks no dish, or no foods.
 
     Of several goals the one of most foods is asked, ties go to the first by content. What is asked is what a cook would
     buy for it (:func:`bought`): its foods, and the goal itself where it is a food that the video begins with (a
@@ -47,10 +47,11 @@ def left_out_video(subgraph: Subgraph, kitchen: Kitchen) -> LeftOutVideo | None:
 def bought(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> tuple[str, ...]:
     """Return the foods of which the video makes the food ``name``; the food itself where it is there from the start.
 
-    Nobody asks for a batter: it is asked as the flour, the milk and the egg of the unit in which the video first names
-    it, and lemon juice as the lemon. Free foods (water) that go into it are not asked. What is made of one food of
-    quite another name (a carrot of an onion) is a slip of the pen, and what is put together of its own parts (an egg of
-    egg white and egg yolk) is known by its name: both are asked as they are.
+    ``units`` are the video's, in its order; ``kitchen`` says what a utensil is, and what is there unasked. Nobody asks
+    for a batter: it is asked as the flour, the milk and the egg of the unit in which the video first names it, and
+    lemon juice as the lemon. Free foods (water) that go into it are not asked. What is made of one food of quite
+    another name (a carrot of an onion) is a slip of the pen, and what is put together of its own parts (an egg of egg
+    white and egg yolk) is known by its name: both are asked as they are.
     """
     maker = _maker(units, name, kitchen)
     if maker is None:
@@ -85,9 +86,10 @@ def _named(nodes: Sequence[ObjectNode], kitchen: Kitchen) -> dict[str, str]:
 def joining_state(units: Sequence[FunctionalUnit], name: str, goal: ObjectNode, kitchen: Kitchen) -> RequiredIngredient:
     """Return the food ``name`` as the video has it when it first joins others, under the video's own label.
 
-    It joins at the first unit that takes the food itself and leaves the goal, or something new that holds it beside
-    another food (any other food, where the goal is called after it); where none does, at the last that takes it. Of
-    several states the one that it got last counts, somebody's work before how it is sold.
+    ``units`` are the video's, in its order; ``kitchen`` tells foods from utensils. It joins at the first unit that
+    takes the food itself and leaves the goal, or something new that holds it beside another food (any other food, where
+    the goal is called after it); where none does, at the last that takes it. Of several states the one that it got last
+    counts, somebody's work before how it is sold.
     """
     food, got, joined = singular(name), dict[str, int](), None
     for place, unit in enumerate(units):

@@ -26,17 +26,17 @@ class SameName:
     """A similarity for which only the same food is like a food."""
 
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
-        """Return 1 for equal canonical names, else 0."""
+        """Return 1 for each pair of a ``wanted`` and a ``known`` food of one canonical name, else 0."""
         columns = np.array([canonical(name) for name in known], dtype=object)
         rows = [columns == canonical(name) for name in wanted]
         return np.array(rows, dtype=float).reshape(len(wanted), len(known))
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
-        """Return the same food first, then the others by name."""
+        """Return of the ``known`` foods the same one as ``name`` first, then the others by name, at most ``limit``."""
         return best(known, self.matrix([name], known)[0], limit)
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
-        """Return what makes two names alike."""
+        """Return what makes ``name`` and a ``known`` food alike."""
         return ("the same food",) if canonical(name) == canonical(known) else ()
 
 

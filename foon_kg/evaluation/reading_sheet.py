@@ -47,11 +47,11 @@ def write_sheet(sheet: Sheet) -> str:
 
 
 def read_sheet(path: Path, trees: int) -> Sheet:
-    """Read what a reader says of the trees numbered 1 to ``trees``, in any order.
+    """Return what a reader says, in the file at ``path``, of the trees numbered 1 to ``trees``, in any order.
 
     Behind a line of dashes, or behind the last tree, a reader may go on in words. Raises ReadError with file and line
-    for any other line that names no tree and verdict, for a number that there is not or that is there twice, and
-    where trees are missing.
+    for any other line that names no tree and verdict, for a number that there is not or that is there twice, and where
+    trees are missing.
     """
     found: dict[int, Verdict] = {}
     for place, line in enumerate(read_text(path).split("\n"), start=1):

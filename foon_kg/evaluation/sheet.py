@@ -49,7 +49,7 @@ def write_sheet(recipes: Iterable[RecipeFigures]) -> str:
 
 
 def read_sheet(path: Path) -> FilledSheet:
-    """Read a sheet that people filled; columns may be moved and added, lines left out or left open.
+    """Return the sheet at ``path`` that people filled; columns may be moved and added, lines left out or left open.
 
     Raises :class:`~foon_kg.model.errors.ReadError` with file and line for what is no such sheet, a column that is
     missing, a score other than 0, 1 and 2, a line that is there twice, and a sheet on which nothing is scored.
@@ -74,7 +74,8 @@ def read_sheet(path: Path) -> FilledSheet:
 def scored_by_both(recipes: Sequence[RecipeFigures], sheet: FilledSheet, path: Path) -> tuple[list[int], list[int]]:
     """Return the rule's and the people's scores of the lines on ``sheet``, in the order of ``recipes``.
 
-    Raises :class:`~foon_kg.model.errors.ReadError` where the sheet scores a line that this evaluation does not have.
+    Raises :class:`~foon_kg.model.errors.ReadError` where the sheet scores a line that this evaluation does not have; it
+    names the file at ``path``.
     """
     ours = {
         line_key(recipe, scored.ingredient.object, scored.ingredient.state): scored.score

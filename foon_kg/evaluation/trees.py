@@ -73,7 +73,10 @@ class TreesEvaluation:
 def examined(
     given: Iterable[tuple[str, str, TaskTree]], foon: KnownFoon, free: frozenset[str]
 ) -> Iterator[TreeFigures]:
-    """Yield the figures of each tree, given with where it is and its dish type; ``free`` may be used unasked (C5)."""
+    """Yield the figures of each tree, ``given`` with where it is and its dish type.
+
+    Evidence is compared with ``foon``; foods that are ``free`` may be used unasked (C5).
+    """
     for where, dish_type, tree in given:
         if tree.error is not None:
             yield TreeFigures(tree.name, where, dish_type, error=tree.error)

@@ -46,11 +46,11 @@ class VideosTogether:
     seed: int
 
     def mean(self, method: str, measure: str) -> Interval:
-        """Return the mean of a measure over the videos, with its interval."""
+        """Return the mean of a ``measure`` (0 to 1) of a ``method`` over the videos, with its interval."""
         return bootstrap_mean(self._values(method, measure), self.seed)
 
     def ahead(self, other: str, measure: str) -> Interval:
-        """Return by how much foon-kg is ahead of another method, the videos drawn in pairs."""
+        """Return by how much foon-kg is ahead of the ``other`` method in a ``measure``, the videos drawn in pairs."""
         return paired_difference(self._values(OURS, measure), self._values(other, measure), self.seed)
 
     def failed(self, method: str) -> int:

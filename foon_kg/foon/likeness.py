@@ -20,7 +20,10 @@ Nearest = Sequence[tuple[Neighbour, ...]]
 
 
 def by_points(connection: Connection, foods: Sequence[str], limit: int) -> Nearest | None:
-    """Return what the vector index of a graph knows; ``None`` where it cannot tell. Nothing of planning is imported."""
+    """Return the ``limit`` nearest to each of ``foods`` by the vector index of the graph at ``connection``.
+
+    ``None`` where it cannot tell. Nothing of planning is imported.
+    """
     from foon_kg.plans.kitchen import Kitchen
     from foon_kg.store.graph.equivalents import equivalents
 
@@ -30,8 +33,9 @@ def by_points(connection: Connection, foods: Sequence[str], limit: int) -> Neare
 def in_view(
     view: Snapshot | GraphView, foods: Sequence[str], limit: int, role: str | None, vectors: str | None, *, whole: bool
 ) -> Nearest:
-    """Return the nearest of all foods that a FOON knows: in a role, by the vectors of a name, or as they are.
+    """Return the ``limit`` nearest to each of ``foods`` among all foods that the FOON of ``view`` knows.
 
+    With a ``role``, those that play it; with the name of ``vectors``, by their cosine; else as the foods are alike.
     Unless its ``whole`` vocabulary may be read, those that play a role are sought among the foods that the table of
     foods names and those that are most like ``foods``.
     """

@@ -30,11 +30,11 @@ class AskedAgain(Protocol):
     """What a plan asks of the FOON that it comes from."""
 
     def known_with(self, settings: PlanSettings) -> KnownFoon:
-        """Return what the judge compares evidence with."""
+        """Return what the judge compares evidence with where a plan is made with ``settings``."""
         ...
 
     def answer(self, question: Question, settings: PlanSettings, *, explain: bool = False) -> Answer:
-        """Return the answer to a question, with its explanations."""
+        """Return the answer to a ``question`` by these ``settings``, with explanations where it shall ``explain``."""
         ...
 
 

@@ -79,7 +79,10 @@ def is_another_food(state: str, food: str) -> bool:
 
 
 def is_bought_so(state: str, food: str) -> bool:
-    """Whether meat that is cooked is sold by such a name, and needs no more than to be cut: cooked chicken."""
+    """Return whether cooked ``food`` is sold by the name with its ``state``: cooked chicken.
+
+    It needs no more than to be cut then.
+    """
     name = f"{state} {food}"
     return tables().foods.is_listed(name) and tables().foods.food(name).is_a("cooked meat")
 

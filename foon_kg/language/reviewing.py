@@ -94,7 +94,10 @@ class Review:
 
     @classmethod
     def of(cls, text: str, name: str, where: str = "") -> Self:
-        """Read a draft, or the plain table of a video; raises ReadError where ``text`` is none."""
+        """Return the review of a draft, or of the plain table of the video ``name``.
+
+        Raises ReadError, which says that it is ``where``, if ``text`` is neither.
+        """
         where = where or name
         if not is_video_table(text):
             hint = "foon draft videos, foon draft text and foon draft recipes make drafts."

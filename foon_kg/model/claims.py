@@ -31,7 +31,7 @@ class Alternative:
 
     @classmethod
     def claimed(cls, name: str, confidence: float | None) -> Self:
-        """Return an alternative of a tree that may leave its confidence out."""
+        """Return the alternative ``name`` of a tree that may leave its ``confidence`` (0 to 1) out."""
         return cls(name, confidence or 0.0, _untold(confidence=confidence))
 
 
@@ -64,6 +64,9 @@ class Substitution:
     ) -> Self:
         """Return an entry of a tree that may leave anything out; the judge says what (C7).
 
+        ``kind`` is ``object`` or ``state``, ``about`` the food; the ``equivalent`` stands for what is ``required``,
+        with a ``confidence`` from 0 to 1, and other ``alternatives`` could have.
+
         >>> Substitution.claimed("object", "leek", "leek", "onion").untold == {"confidence", "alternatives"}
         True
         """
@@ -88,7 +91,7 @@ class Substitution:
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
-        """Read back what :meth:`to_json` wrote; raises ReadError where anything is missing."""
+        """Return what :meth:`to_json` wrote, from its ``fields``; raises ReadError where one is missing."""
         return cls(
             fields.one_of("kind", get_args(SubstitutionKind)),
             fields.text("object"),
@@ -112,7 +115,7 @@ class Assumption:
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
-        """Read back what :meth:`to_json` wrote."""
+        """Return the assumption of the ``fields`` that :meth:`to_json` wrote."""
         return cls(node_from_json(fields.nested("node")), fields.text("why"))
 
 

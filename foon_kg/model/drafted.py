@@ -67,7 +67,10 @@ class DraftedRecipe:
 
     @classmethod
     def from_json(cls, value: object, where: str) -> Self:
-        """Read back what :meth:`to_json` wrote; raises ReadError naming ``where`` for anything else."""
+        """Return the recipe of a ``value`` that :meth:`to_json` wrote.
+
+        Raises ReadError naming ``where`` for any other.
+        """
         fields = Fields(value, where)
         return cls(
             fields.text("id"),

@@ -43,7 +43,10 @@ def find(folder: str, asked: str) -> str | None:
 
 
 def keep(folder: str, asked: str, body: str) -> None:
-    """Keep ``body`` for ``asked``, whole or not at all; a line break in ``asked`` is none of it."""
+    """Keep ``body`` for what was ``asked`` in a ``folder`` of the cache, whole or not at all.
+
+    A line break in ``asked`` is none of it.
+    """
     file = _file(folder, asked)
     with suppress(OSError):
         file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -52,7 +55,7 @@ def keep(folder: str, asked: str, body: str) -> None:
 
 
 def kept(folder: str, source: bytes, make: Callable[[], Any]) -> Any:  # noqa: ANN401 - any value of JSON
-    """Return the value of JSON that ``make`` makes of ``source`` and of nothing else."""
+    """Return the JSON that ``make`` makes of ``source`` and of nothing else, kept in a ``folder`` of the cache."""
     asked = hashlib.blake2b(source, digest_size=16).hexdigest()
     body = find(folder, asked)
     if body is not None:

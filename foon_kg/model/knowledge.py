@@ -186,7 +186,8 @@ class KnowledgeView(Protocol):
     def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
         """Return the ``count`` goals, or some more, that may score highest for a recipe of ``foods``, in no order.
 
-        The score is that of the default similarity. All of the goals are answered where they are few.
+        They are of ``dish_type``, of any for ``None``. The score is that of the default similarity. All of the goals
+        are returned where they are few.
         """
         ...
 

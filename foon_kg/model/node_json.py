@@ -18,7 +18,7 @@ def node_to_json(node: ObjectNode) -> JsonObject:
 
 
 def node_from_json(fields: Fields) -> ObjectNode:
-    """Read back what :func:`node_to_json` wrote."""
+    """Return the node of the ``fields`` that :func:`node_to_json` wrote."""
     return ObjectNode(
         fields.text("label"),
         fields.texts("states"),
@@ -41,7 +41,7 @@ def _wanted_to_json(wanted: RequiredIngredient) -> JsonObject:
 
 
 def recipe_from_json(fields: Fields) -> Recipe:
-    """Read back what :func:`recipe_to_json` wrote."""
+    """Return the recipe of the ``fields`` that :func:`recipe_to_json` wrote."""
     ingredients = tuple(
         RequiredIngredient(
             i.text("object"), i.text("state"), *(i.text(name) if name in i else "" for name in ("amount", "part"))
@@ -52,7 +52,7 @@ def recipe_from_json(fields: Fields) -> Recipe:
 
 
 def measures_to_json(measures: Measures) -> JsonObject:
-    """Return how much, how long and how hot: what nobody says is left out."""
+    """Return how much, how long (s) and how hot (°C) ``measures`` say it is; what nobody says is left out."""
     told: JsonObject = {"amounts": list(measures.amounts)} if measures.amounts else {}
     if measures.seconds is not None:
         told["seconds"] = measures.seconds
@@ -79,7 +79,7 @@ def measures_from_json(fields: Fields) -> Measures:
 
 
 def sighting_to_json(sighting: Sighting) -> JsonObject:
-    """Return where a unit was seen; the place in the video is called ``unit``."""
+    """Return where a unit was seen, a ``sighting``; the place in the video is called ``unit``."""
     return {
         "video": sighting.video,
         "unit": sighting.position,
@@ -90,7 +90,7 @@ def sighting_to_json(sighting: Sighting) -> JsonObject:
 
 
 def sighting_from_json(fields: Fields) -> Sighting:
-    """Read back what :func:`sighting_to_json` wrote."""
+    """Return the sighting of the ``fields`` that :func:`sighting_to_json` wrote."""
     return Sighting(
         fields.text("video"),
         fields.whole_number("unit"),

@@ -92,7 +92,10 @@ def shared_node(
     relation: str | None = None,
     container: str | None = None,
 ) -> ObjectNode:
-    """Return such a node: where one was asked for of late the same, which is told at a glance to be equal."""
+    """Return the node with this ``label``, these ``states``, ``ingredients``, ``relation`` and ``container``.
+
+    Where one was asked for of late it is the same, which is told at a glance to be equal.
+    """
     return ObjectNode(label, states, ingredients, relation, container)
 
 

@@ -26,9 +26,10 @@ _KINDS = {
 
 
 def open_regular(path: Path, most: int | None = None, advice: str = _WRITE_IT_FIRST) -> BinaryIO:
-    """Open a regular file to read its bytes; raises OSError for anything else, and for more than ``most`` bytes.
+    """Return the regular file at ``path``, open to read its bytes.
 
-    ``advice`` is what is said to who names a pipe, a socket or a device.
+    Raises OSError for anything else, and for more than ``most`` bytes. ``advice`` is what is said to who names a pipe,
+    a socket or a device.
     """
     handle = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)  # else a pipe would be waited for here
     stream = os.fdopen(handle, "rb")

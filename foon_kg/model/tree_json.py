@@ -36,7 +36,7 @@ def unit_to_json(unit: TreeUnit) -> JsonObject:
 
 
 def unit_from_json(fields: Fields) -> TreeUnit:
-    """Return what :func:`unit_to_json` wrote. Raises ReadError for a word that no plan of ours has.
+    """Return the unit of the ``fields`` that :func:`unit_to_json` wrote. Raises ReadError for a word that no plan has.
 
     The judge reads units more freely (:mod:`foon_kg.validation.tree`): what a stranger's plan says is for its rules.
     """
@@ -52,7 +52,7 @@ def unit_from_json(fields: Fields) -> TreeUnit:
 
 
 def step_from_json(fields: Fields) -> Step:
-    """Return what a unit does to what."""
+    """Return what a unit does to what, from its ``fields``."""
     inputs, outputs = (tuple(map(_mention, fields.nested_list(f"{side}_nodes"))) for side in ("input", "output"))
     return Step(inputs, fields.text("motion_node"), outputs)
 

@@ -18,7 +18,7 @@ _BINARY = getattr(os, "O_BINARY", 0)
 
 
 def no_room(place: object) -> FoonError:
-    """Return the error for a full disk, which is no mistake of who asked."""
+    """Return the error for a full disk at a ``place``, which is no mistake of who asked."""
     return FoonError(
         f"{place}: no space is left there",
         hint="Make room, or write to another place; then ask again.",
@@ -28,7 +28,7 @@ def no_room(place: object) -> FoonError:
 
 @contextmanager
 def writing(path: Path, hint: str) -> Iterator[None]:
-    """Turn an OSError of the block into a UsageError with ``hint``, or into what is told of a full disk."""
+    """Turn an OSError of the block, which writes ``path``, into a UsageError with ``hint``, or that of a full disk."""
     try:
         yield
     except OSError as error:
@@ -44,7 +44,7 @@ def write_file(path: Path, content: str | bytes, hint: str) -> None:
 
 
 def write_whole(path: Path, content: str | bytes, mode: int | None = None) -> None:
-    """Write a file beside ``path`` and put it in its place; raises OSError, and leaves nothing of it then.
+    """Write ``content`` to a file beside ``path`` and put it in its place; if that raises OSError, leave nothing of it.
 
     A link stays one. A file keeps its mode unless ``mode`` says another. Devices, pipes that somebody reads, and files
     in a folder that takes no others, are written where they are.
@@ -72,7 +72,10 @@ def write_whole(path: Path, content: str | bytes, mode: int | None = None) -> No
 
 
 def open_to_write(path: Path, flags: int = os.O_CREAT | os.O_TRUNC, buffering: int = -1) -> BinaryIO:
-    """Open what people name for bytes, at once: a pipe that nobody reads is an OSError, and not waited for."""
+    """Return the file at ``path``, open for bytes at once: a pipe that nobody reads is an OSError, and not waited for.
+
+    ``flags`` are added to those of :func:`os.open`, ``buffering`` is that of :func:`open`.
+    """
     try:
         handle = os.open(path, os.O_WRONLY | flags | _AT_ONCE | _BINARY, 0o666)
     except OSError as error:

@@ -52,7 +52,7 @@ class Question:
     title: str | None = None
 
     def read(self, words: IngredientWords, avoided: Sequence[str] = ()) -> ReadRecipe:
-        """Return the recipe without what is avoided; raises ReadError or UsageError where it cannot be read."""
+        """Return the recipe by ``words``, without what is ``avoided``; raises ReadError or UsageError."""
         if self.given is not None:
             read = with_states(self.given, words)
         elif self.path is not None:
@@ -73,7 +73,7 @@ class Question:
         return (), names_in(self.texts)
 
     def as_planned(self, words: IngredientWords, avoided: Sequence[str] = ()) -> Recipe:
-        """Return the recipe that an answer to this question names."""
+        """Return the recipe that an answer to this question names: read by ``words``, without what is ``avoided``."""
         try:
             return self.read(words, avoided).recipe
         except (ReadError, UsageError):
@@ -112,7 +112,7 @@ class Cook:
         self.planner = Planner(view, settings, units)
 
     def answer(self, question: Question, *, explain: bool = False) -> Answer:
-        """Return one question, and why where that, or the settings, ask it.
+        """Return the answer to one ``question``, and why, where that, the settings or ``explain`` ask it.
 
         Where somebody writes to the FOON meanwhile it is answered anew, from what is there then. What is raised is not
         about this recipe, and ends the batch.
@@ -195,7 +195,7 @@ def answering(
 ) -> AbstractContextManager[Iterator[Answer]]:
     """Open ``jobs`` processes that answer ``questions``, in their order; how many they are changes no answer.
 
-    Every process gets ``view`` and ``units``, all that the view knows, once. The answers raise
+    Every process gets ``view``, ``settings`` and ``units``, all that the view knows, once. The answers raise
     :class:`~foon_kg.model.errors.FoonError` where one of them was ended from outside.
     """
     from foon_kg.planning.processes import spread  # noqa: PLC0415 - only batches need it
@@ -206,7 +206,10 @@ def answering(
 def answering_on(
     address: str, questions: Iterable[Question], view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit]
 ) -> AbstractContextManager[Iterator[Answer]]:
-    """Open the Dask cluster of the scheduler at ``address``, which answers as :func:`answering` does."""
+    """Open the Dask cluster of the scheduler at ``address``, which answers ``questions`` as :func:`answering` does.
+
+    ``view``, ``settings`` and ``units`` are sent to each of its workers once.
+    """
     from foon_kg.planning.cluster import spread_over  # noqa: PLC0415 - only a cluster needs it
 
     return spread_over(partial(_answers_of, view, settings, units), questions, address)

@@ -24,9 +24,10 @@ class Candidates:
 
 
 def candidates(view: TeachingView, settings: PlanSettings, question: Question, most: int) -> Candidates:
-    """Return the reference trees for a question, best first, of at most ``most`` combinations of producers.
+    """Return the reference trees for a ``question``, best first, of at most ``most`` combinations of producers.
 
-    Raises as :meth:`~foon_kg.planning.planner.Planner.plan` does.
+    They are of the FOON of ``view``, planned by ``settings``. Raises as :meth:`~foon_kg.planning.planner.Planner.plan`
+    does.
     """
     cook = Cook(view, settings)
     read = question.read(cook.words_for(question), settings.avoided)

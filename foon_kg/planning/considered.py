@@ -44,7 +44,10 @@ class Considered:
 
 
 def nearer_goals(fits: Sequence[Fit], taken: Fit, dish_type: str) -> Iterator[Considered]:
-    """Yield the goals of the asked dish type that are nearer by their foods than the one ``taken``, nearest first."""
+    """Yield of ``fits`` the goals of the ``dish_type`` that are nearer by their foods than that ``taken``.
+
+    The nearest comes first.
+    """
     types = {dish_type, taken.frame.dish_type}
     rows = [fit for fit in fits if fit.frame.dish_type in types and fit.similarity > taken.similarity]
     rows.sort(key=lambda fit: (-fit.similarity, fit.frame.goal.sort_key))
@@ -56,9 +59,9 @@ def nearer_goals(fits: Sequence[Fit], taken: Fit, dish_type: str) -> Iterator[Co
 
 
 def other_goals(fits: Sequence[Fit], taken: Fit, dish_type: str) -> Iterator[Considered]:
-    """Yield the nearer goals, then those of any type that suit next best and against which nothing speaks.
+    """Yield of ``fits`` the goals nearer than the one ``taken``, then those of any type that suit next best.
 
-    Each takes some of the foods.
+    Nothing speaks against the latter, and each takes some of the foods. ``dish_type`` is the one that was asked.
     """
     nearer = tuple(nearer_goals(fits, taken, dish_type))
     yield from nearer

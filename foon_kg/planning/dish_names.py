@@ -59,7 +59,10 @@ def eased(asked: Asked) -> frozenset[str]:
 
 
 def closing(told: Collection[str], joins: Sequence[Join]) -> str:
-    """Return by which motion thin bread is closed around what lies on it, by the words of a title; ``""`` for none."""
+    """Return by which motion thin bread is closed around what lies on it, of ``joins``; ``""`` for none.
+
+    ``told`` are the words of the dish's title.
+    """
     flat = sum(join.want.facts.is_a(*word_list("can be rolled")) for join in joins) == 1
     ways = ("is rolled up", "is folded over")
     return next((min(word_list(f"{way} by")) for way in ways if flat and not word_list(way).isdisjoint(told)), "")

@@ -67,7 +67,7 @@ class Explanation:
 
 
 def explanations(attempt: Attempt, likes: RecipeLikes) -> tuple[Explanation, ...]:
-    """Return why the tree of ``attempt`` has each required food as it has it, in their order."""
+    """Return why the tree of ``attempt`` has each required food as it has it, in their order, by these ``likes``."""
     joins = sorted(attempt.fit.joins, key=lambda join: join.want.number)
     return tuple(_explained(attempt, join, likes) for join in joins)
 

@@ -53,10 +53,11 @@ class ReadKitchen:
 
 
 def read_kitchen(path: Path, words: IngredientWords) -> ReadKitchen:
-    """Read a file of things at hand; ``words`` are the FOON's, and the kitchen in which all that is not named stands.
+    """Return the kitchen of a file at ``path`` that names things at hand.
 
-    Raises :class:`~foon_kg.model.errors.ReadError` with the file and the line (in JSON the field) that cannot be read,
-    and for a file that names nothing; :class:`~foon_kg.model.errors.UsageError` where there is no such file.
+    ``words`` are the FOON's, and the kitchen in which all that is not named stands. Raises
+    :class:`~foon_kg.model.errors.ReadError` with the file and the line (in JSON the field) that cannot be read, and for
+    a file that names nothing; :class:`~foon_kg.model.errors.UsageError` where there is no such file.
     """
     text = _text_of(path)
     is_json = path.suffix.lower() == ".json" or text.lstrip()[:1] in {"[", "{"}

@@ -93,7 +93,7 @@ class FoodLikes:
         return sorted(found, key=lambda pair: (-pair[1], pair[0]))
 
     def of_recipe(self, wants: Sequence[Want]) -> RecipeLikes:
-        """Return the likes for one recipe, in which a word with two meanings means what it does there."""
+        """Return the likes for one recipe of ``wants``, in which a word with two meanings means what it does there."""
         return RecipeLikes(self, wants)
 
     def _choose(self, substitute: Substitute) -> None:

@@ -55,7 +55,7 @@ MOST_TRIES = 5
 
 
 def plan(view: TeachingView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
-    """Return the task tree that makes ``recipe``.
+    """Return the task tree that makes ``recipe``, of the FOON of ``view``; without ``settings``, by the usual ones.
 
     A recipe without a dish type (``""``) may become a dish of any; the answer says which. Raises :class:`UsageError`
     for a recipe without ingredients or with an unknown dish type, and :class:`NoTreeError` where the FOON has no way to
@@ -122,12 +122,15 @@ class Planner:
         return self._told(_Question(self, recipe))
 
     def explain(self, recipe: Recipe) -> tuple[PlanResult, tuple[Explanation, ...]]:
-        """Return the tree, and why every required food is made as it is; raises as :func:`plan` does."""
+        """Return the tree of ``recipe``, and why every required food is made as it is; raises as :func:`plan` does."""
         result, why, _ = self.reasons(recipe)
         return result, why
 
     def reasons(self, recipe: Recipe) -> Reasons:
-        """Return what :meth:`explain` returns, and the other dishes that were considered; raises as that does."""
+        """Return what :meth:`explain` does of ``recipe``, and the other dishes that were considered.
+
+        Raises as it does.
+        """
         question = _Question(self, recipe)
         others = other_goals(question.fits, question.best.fit, recipe.dish_type)
         return Reasons(self._told(question), explanations(question.best, question.likes), tuple(others))

@@ -252,7 +252,8 @@ def names_in(texts: Iterable[str]) -> tuple[str, ...]:
 def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords, title: str | None = None) -> ReadRecipe:
     """Return the recipe called ``title`` that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``.
 
-    Raises :class:`~foon_kg.model.errors.UsageError` where no food of it is known.
+    ``words`` are those by which the FOON knows its foods. Raises :class:`~foon_kg.model.errors.UsageError` where no
+    food of it is known.
     """
     read = [words.read(text) for text in texts]
     if read and not any(words.knows(wanted.object) for wanted, _ in read):
@@ -278,7 +279,7 @@ def of_known_type(read: ReadRecipe) -> ReadRecipe:
 
 
 def with_states(recipe: Recipe, words: IngredientWords) -> ReadRecipe:
-    """Return ``recipe`` with a state for each food: its own, else the usual one, which is noted."""
+    """Return ``recipe`` with a state for each food: its own, else the usual one among ``words``, which is noted."""
     stated = [words.with_state(wanted) for wanted in recipe.ingredients]
     return ReadRecipe(
         replace(recipe, ingredients=tuple(wanted for wanted, _ in stated)),
@@ -319,11 +320,12 @@ def recipe_files(paths: Iterable[Path]) -> Iterator[Path]:
 
 
 def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
-    """Read a recipe file: ``{"id", "title", "type", "ingredients": [{"object", "state", "amount", "part"}]}``.
+    """Return the recipe of the file at ``path``, read by the FOON's ``words``.
 
-    ``id`` is the file's name where it is left out; ``dish_type`` is understood for ``type``. An ingredient may be a
-    line ("200 g flour"); ``quantity`` and ``unit`` are understood for ``amount``. One without a name is left out, one
-    without a state gets the usual one; both are noted. Raises ReadError with the place.
+    It is ``{"id", "title", "type", "ingredients": [{"object", "state", "amount", "part"}]}``. ``id`` is the file's name
+    where it is left out; ``dish_type`` is understood for ``type``. An ingredient may be a line ("200 g flour");
+    ``quantity`` and ``unit`` are understood for ``amount``. One without a name is left out, one without a state gets
+    the usual one; both are noted. Raises ReadError with the place.
     """
     fields = Fields(_json(path), str(path))
     wanted, notes = [], []
@@ -356,7 +358,7 @@ def amount_said(ingredient: Fields) -> str:
 
 
 def foods_named(path: Path) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return the foods that a recipe file names, and the lines in it, which are still to be read.
+    """Return the foods that the recipe file at ``path`` names, and the lines in it, which are still to be read.
 
     There are none where it cannot be read: :func:`read_recipe` says why.
     """

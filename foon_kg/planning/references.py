@@ -41,13 +41,19 @@ class References:
         return found
 
     def problem(self, goal: Goal, wanted: Mapping[str, int]) -> SearchProblem:
-        """Return what is asked of the search where :meth:`tree` is."""
+        """Return what is asked of the search where :meth:`tree` is: ``goal`` with the ``wanted`` foods.
+
+        Each food has its weight.
+        """
         return SearchProblem(self._index_for(goal), (goal.node,), wanted=dict(wanted))
 
     def summary(
         self, goal: Goal, wanted: Mapping[str, int], videos: tuple[str, ...], core: tuple[str, ...]
     ) -> ReferenceSummary:
-        """Return the reference tree in figures, with the videos and foods that the final tree takes over."""
+        """Return the reference tree of ``goal`` for the ``wanted`` foods in figures.
+
+        ``videos`` and ``core`` are the videos that it is made after and the foods that the final tree takes over.
+        """
         tree = self.tree(goal, wanted)
         sure = [self.view.sureness[video] for video in videos if video in self.view.sureness]
         return ReferenceSummary(

@@ -107,11 +107,11 @@ def suggest(
     similarity: Similarity | None = None,
     time_limit: float | None = 20.0,
 ) -> Suggestions:
-    """Return the at most ``most`` dishes that can best be made of what ``kitchen`` names.
+    """Return the at most ``most`` dishes of ``view`` that can best be made of what ``kitchen`` names.
 
-    A dish of which nothing is there is none. ``time_limit`` (seconds) is for each tree. Raises
-    :class:`~foon_kg.model.errors.UsageError` where the kitchen names no food, and
-    :class:`~foon_kg.model.errors.NoTreeError` where no goal of the FOON takes any of them.
+    A dish of which nothing is there is none. Foods are compared by ``similarity``, ``None`` for the usual one;
+    ``time_limit`` (seconds) is for each tree. Raises :class:`~foon_kg.model.errors.UsageError` where the kitchen names
+    no food, and :class:`~foon_kg.model.errors.NoTreeError` where no goal of the FOON takes any of them.
     """
     own = Larder.of(kitchen, similarity or food_similarity())
     goals = view.likely_goals(None, own.foods, MOST_CONSIDERED).goals
@@ -149,7 +149,10 @@ class Larder:
 
     @classmethod
     def of(cls, kitchen: StockedKitchen, similarity: Similarity) -> Larder:
-        """Return the larder that ``kitchen`` names; raises UsageError where that is none."""
+        """Return the larder that ``kitchen`` names, compared by ``similarity``.
+
+        Raises UsageError where it has no food.
+        """
         foods = kitchen.food_names
         if not foods:
             raise UsageError(

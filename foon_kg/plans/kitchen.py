@@ -97,7 +97,10 @@ class Kitchen:
         return False
 
     def ready_in(self, _food: str, _state: str) -> str | None:
-        """Return in what a food is that stands ready (``""``: it lies free); ``None`` where it does not."""
+        """Return in what a ``_food`` in a ``_state`` stands ready (``""``: it lies free).
+
+        ``None`` where it does not.
+        """
         return None
 
     def is_utensil(self, label: str) -> bool:
@@ -196,7 +199,10 @@ class Kitchen:
         return all(singular(name) in there for name in self.foods_in(node))
 
     def may_be_leaf(self, node: ObjectNode, beside: Collection[ObjectNode] = ()) -> bool:
-        """Whether C6 lets ``node`` be a leaf of a final tree where no unit makes it (see :meth:`leaf_fault`)."""
+        """Return whether C6 lets ``node`` be a leaf of a final tree where no unit makes it (see :meth:`leaf_fault`).
+
+        ``beside`` are the other leaves: what stands in a vessel that is one of them may be there.
+        """
         return self.leaf_fault(node, beside) in {None, LeafFault.RUNNING}
 
     def _rests(self, label: str, state: str) -> bool:

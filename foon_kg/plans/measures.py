@@ -36,9 +36,10 @@ def amount_of(text: str) -> tuple[str, str]:
 
 
 def measured_words(measures: Measures, motion: str) -> str:
-    """Return what measures say, as it follows a sentence: " for 60 min at 165 °C (200 g flour)"; nothing for none.
+    """Return what ``measures`` say of a ``motion``, as it follows a sentence; nothing for none.
 
-    Amounts that nobody asked for are told as recorded: who asks may have another one in mind.
+    For example `` for 60 min at 165 °C (200 g flour)``. Amounts that nobody asked for are told as recorded: who asks
+    may have another one in mind.
     """
     by = "to" if motion in word_list("comes to a temperature") else "at"
     said = f" for {_long(measures.seconds)}" if measures.seconds is not None else ""

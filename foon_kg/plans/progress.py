@@ -58,7 +58,7 @@ class ProgressLine:
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
-        """Read back what :meth:`to_json` wrote."""
+        """Return the line of the ``fields`` that :meth:`to_json` wrote."""
         steps = tuple(
             ProgressStep(s.texts("states"), s.optional_text("relation"), s.optional_text("container"), s.text("motion"))
             for s in fields.nested_list("steps")
@@ -84,9 +84,10 @@ def progress_lines(
 def lines_of_things(
     units: Sequence[TreeUnit], goal: ObjectNode, foods: Iterable[tuple[RequiredIngredient, int]]
 ) -> tuple[ProgressLine, ...]:
-    """Return a line for each of ``foods`` through a tree that numbers its things; each comes with its number.
+    """Return a line for each of ``foods`` through a tree that makes ``goal`` and numbers its things.
 
-    A thing that a unit takes and does not put out has become part of the food that names it among its ingredients.
+    ``units`` are in the order of execution; each food comes with its number. A thing that a unit takes and does not put
+    out has become part of the food that names it among its ingredients.
     """
     inputs = [_by_thing(unit.taken) for unit in units]
     outputs = [_by_thing(unit.made) for unit in units]

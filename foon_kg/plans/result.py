@@ -51,7 +51,7 @@ class ReferenceSummary:
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
-        """Read back what :meth:`to_json` wrote."""
+        """Return the summary of the ``fields`` that :meth:`to_json` wrote."""
         goal = node_from_json(fields.nested("goal"))
         return cls(
             goal,
@@ -78,7 +78,7 @@ class PassedOver:
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
-        """Read back what :meth:`to_json` wrote."""
+        """Return the goal of the ``fields`` that :meth:`to_json` wrote."""
         return cls(node_from_json(fields.nested("goal")), fields.number("similarity"), fields.text("why"))
 
 
@@ -112,7 +112,10 @@ class PlanResult:
 
     @classmethod
     def from_json(cls, value: object, where: str = "plan") -> Self:
-        """Read back what :meth:`to_json` wrote. ``where`` names the document in messages; raises ReadError."""
+        """Return the plan of a ``value`` that :meth:`to_json` wrote; raises ReadError for any other.
+
+        ``where`` names the document in messages.
+        """
         fields = Fields(value, where)
         return cls(
             recipe_from_json(fields.nested("recipe")),
@@ -146,7 +149,10 @@ class PlanResult:
 
 
 def error_to_json(error: FoonError) -> JsonObject:
-    """Return what stands in the place of an answer: ``code``, ``message`` and ``hint``, and what is ``missing``."""
+    """Return what stands in the place of an answer that ended in ``error``.
+
+    It has its ``code``, ``message`` and ``hint``, and what is ``missing``.
+    """
     said: JsonObject = {"code": error.code, "message": error.message, "hint": error.hint}
     if isinstance(error, ShortageError) and error.missing:
         said["missing"] = [{"node": node_to_json(node), "remedy": remedy(node)} for node in error.missing]
@@ -179,7 +185,10 @@ class PlanFailure:
 
     @classmethod
     def from_json(cls, value: object, where: str = "plan") -> Self:
-        """Read back what :meth:`to_json` wrote. ``where`` names the document in messages; raises ReadError."""
+        """Return the failure of a ``value`` that :meth:`to_json` wrote; raises ReadError for any other.
+
+        ``where`` names the document in messages.
+        """
         fields = Fields(value, where)
         error = fields.nested("error")
         recipe = recipe_from_json(fields.nested("recipe"))

@@ -89,11 +89,12 @@ class Schedule:
 def schedule(
     units: Sequence[TreeUnit], leaves: Sequence[ObjectNode], durations: Durations, kitchen: Kitchen, hands: int = 1
 ) -> Schedule:
-    """Schedule the ``units`` of a tree for so many pairs of ``hands``.
+    """Return who does which of the ``units`` of a tree when, for so many pairs of ``hands``.
 
-    A plan says which utensil a step takes: that one nobody else has meanwhile; a stove has a burner for each vessel on
-    it. In other trees there are as many of every utensil as the ``leaves`` have nodes of that name, and one at least.
-    Raises UsageError for less than one pair of hands.
+    ``durations`` say how long (seconds) each motion takes. A plan says which utensil a step takes: that one nobody else
+    has meanwhile; a stove of the ``kitchen`` has a burner for each vessel on it. In other trees there are as many of
+    every utensil as the ``leaves`` have nodes of that name, and one at least. Raises UsageError for less than one pair
+    of hands.
     """
     if hands < 1:
         raise UsageError(f"{hands} pairs of hands cannot cook", hint="Ask for one pair of hands or more.")

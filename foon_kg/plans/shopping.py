@@ -11,8 +11,9 @@ from foon_kg.plans.kitchen import Kitchen
 def shopping_list(leaves: Iterable[ObjectNode], kitchen: Kitchen) -> tuple[ObjectNode, ...]:
     """Return the foods among the ``leaves`` of a tree as one buys them, sorted by name.
 
-    Where a food lies is nothing to buy, so that onions in a bag and onions on a board are one line; free foods
-    (water) are not bought. A food that is only known to be in a packet or bottle is a line of its own.
+    ``kitchen`` tells foods from utensils. Where a food lies is nothing to buy, so that onions in a bag and onions on a
+    board are one line; free foods (water) are not bought. A food that is only known to be in a packet or bottle is a
+    line of its own.
     """
     bought: dict[ObjectNode, None] = {}
     for leaf in leaves:

@@ -66,7 +66,10 @@ def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
 
 
 def remedies(missing: Iterable[ObjectNode], kitchen: Kitchen | None = None) -> str:
-    """Return what to do about all of ``missing``, each once, in their order: ``Get a bowl and a knife, buy onion``."""
+    """Return what to do about all of ``missing``, each once, in their order: ``Get a bowl and a knife, buy onion``.
+
+    ``kitchen`` tells what is bought from what is fetched; ``None`` is the usual one.
+    """
     found: dict[str, list[str]] = {}
     for text in dict.fromkeys(remedy(node, kitchen) for node in missing):
         what = next((what for what in _TO_DO if text.startswith(what)), "")

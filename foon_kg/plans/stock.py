@@ -113,7 +113,10 @@ class StockedKitchen(Kitchen):
         return super().at_rest(node) or self._is_named_so(node)
 
     def may_hold(self, node: ObjectNode, beside: Collection[ObjectNode] = ()) -> bool:
-        """Whether a vessel may hold its foods from the start: also where these were named as being in it."""
+        """Return whether a vessel, a ``node`` that no unit makes, may hold its foods from the start.
+
+        It may, too, where these were named as being in it. ``beside`` are the other leaves of the tree.
+        """
         return super().may_hold(node, beside) or self._is_filled_so(node)
 
     def _has_food(self, node: ObjectNode) -> bool:

@@ -27,7 +27,8 @@ _UNNAMED = 4
 def mixtures(kitchen: Kitchen, vocabulary: Vocabulary, units: Sequence[KnownUnit] | None = None) -> frozenset[str]:
     """Return the foods that a FOON makes and never takes from the shop: dressings, doughs, dishes; those in ``units``.
 
-    The words of the whole FOON tell, and not the units behind one goal: a part and the whole search alike (C9).
+    ``kitchen`` tells foods from utensils. The words of the whole FOON (``vocabulary``) tell, and not the units behind
+    one goal: a part and the whole search alike (C9).
     """
 
     def is_bought(row: SeenAs) -> bool:
@@ -48,7 +49,8 @@ def gap_cost(
 ) -> Callable[[ObjectNode], int | None]:
     """Return what a search among ``units`` pays for a node that is not at hand: odd places least, mixtures most.
 
-    ``mixtures`` are the foods that count as made wherever they stand: see :func:`mixtures`.
+    ``kitchen`` says what is at hand; ``mixtures`` are the foods that count as made wherever they stand: see
+    :func:`mixtures`.
     """
     made = {node for known in units for node in known.unit.output_nodes}
     mixed = frozenset(mixtures)

@@ -36,7 +36,7 @@ class CosineSimilarity:
         return best(known, self.matrix([name], known)[0], limit)
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
-        """Return that only the vectors speak for it."""
+        """Return that only the vectors speak for ``known`` in the place of ``name``."""
         return ("the same food",) if canonical(name) == canonical(known) else ("vectors",)
 
 

@@ -65,7 +65,7 @@ class StateClasses:
         return said is not None and self.class_of.get(canonical(said)) in self.processed
 
     def state_in(self, phrase: str) -> str | None:
-        """Return what :func:`foon_kg.similarity.states.state_in` answers."""
+        """Return the state in a ``phrase``, as :func:`foon_kg.similarity.states.state_in` does."""
         words = canonical(phrase.replace(",", " ").replace("-", " ")).split()
         found = [place for place, word in enumerate(words) if word in self.class_of]
         if not found:

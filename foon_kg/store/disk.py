@@ -28,7 +28,7 @@ def explain_os_error(doing: str) -> Iterator[None]:
 
 
 def no_room(doing: str) -> ServerError:
-    """Return the error for a full disk."""
+    """Return the error for a disk that got full while ``doing`` something."""
     return ServerError(
         f"{doing}: no space is left there",
         hint="free 1 GB and start again, or let FOON_KG_HOME (data) and FOON_KG_CACHE (jars) name folders elsewhere",
@@ -37,5 +37,8 @@ def no_room(doing: str) -> ServerError:
 
 
 def could_not_write(code: str | None, message: str | None) -> bool:
-    """Say whether a Neo4j with this answer has failed to write: then it answers nothing until it is started anew."""
+    """Return whether a Neo4j that says this (``code`` and ``message``) has failed to write.
+
+    Then it answers nothing until it is started anew.
+    """
     return code == _UNWRITTEN or any(words in (message or "") for words in _BROKEN)

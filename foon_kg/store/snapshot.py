@@ -38,7 +38,7 @@ class Snapshot:
 
     @classmethod
     def of(cls, subgraphs: Iterable[Subgraph], kitchen: Kitchen) -> Snapshot:
-        """Merge ``subgraphs``, which may come in any order and more than once.
+        """Return the FOON of ``subgraphs`` in a ``kitchen``; they may come in any order and more than once.
 
         Raises :class:`~foon_kg.model.errors.ReadError` when two that differ have one name.
         """
@@ -72,29 +72,32 @@ class Snapshot:
         return tuple(goal for goal in self._goals if dish_type in (None, goal.dish_type))
 
     def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
-        """Return the whole vocabulary: it is here."""
+        """Return the whole vocabulary, whatever ``foods`` are asked or ``called``: it is here."""
         del foods, called
         return self._vocabulary
 
     def words_in(self, units: Sequence[KnownUnit], words: Vocabulary) -> Vocabulary:
-        """Return the whole vocabulary: it is here."""
+        """Return the whole vocabulary, with whatever ``units`` and ``words``: it is here."""
         del units, words
         return self._vocabulary
 
     def words_named(self, names: Collection[str]) -> Vocabulary:
-        """Return the whole vocabulary: it is here."""
+        """Return the whole vocabulary, with whatever ``names``: it is here."""
         del names
         return self._vocabulary
 
     def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
-        """Return all goals of ``dish_type``: they are here."""
+        """Return all goals of ``dish_type``, whatever ``foods`` and ``count``: they are here."""
         del foods, count
         return LikelyGoals(self.goals(dish_type), self._known_foods)
 
     def behind(
         self, nodes: Collection[ObjectNode], foods: Collection[FoodState] = (), *, most: int | None = None
     ) -> tuple[KnownUnit, ...]:
-        """Return every unit that may take part in making ``nodes`` or ``foods``; linear in the answer."""
+        """Return every unit, however many at ``most``, that may help to make ``nodes`` or ``foods``.
+
+        Linear in the answer.
+        """
         del most  # all are here
         asked = {*nodes, *(node for food in foods for node in self._outputs_by_food.get(food, ()))}
         waiting, seen, found = list(asked), set(asked), dict[str, KnownUnit]()
@@ -129,7 +132,7 @@ class Snapshot:
         return Methods(Operators(map(in_plain_order, self.units), known), tuple(frames), self._goals)
 
     def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
-        """Return all that this FOON teaches: it is here."""
+        """Return all that this FOON teaches, whatever ``foods`` and ``dish_type``: it is here."""
         del foods, dish_type
         return self._methods
 
@@ -207,7 +210,7 @@ def two_of_one_name(name: str) -> ReadError:
 def goals_of(subgraph: Subgraph, kitchen: Kitchen) -> tuple[tuple[ObjectNode, str], ...]:
     """Return the (node, dish type) of each goal of ``subgraph``, sorted: outputs marked with a dish class.
 
-    A utensil that is marked too (the glass beside the juice) is a vessel of the dish and no goal.
+    A utensil of the ``kitchen`` that is marked too (the glass beside the juice) is a vessel of the dish and no goal.
     """
     outputs = (p for annotation in subgraph.annotations for p in annotation.unit.outputs)
     marked = {(p.node, p.dish_type) for p in outputs if p.dish_type and not kitchen.is_utensil(p.node.label)}
@@ -215,13 +218,13 @@ def goals_of(subgraph: Subgraph, kitchen: Kitchen) -> tuple[tuple[ObjectNode, st
 
 
 def frames_in(subgraph: Subgraph, kitchen: Kitchen) -> tuple[Frame, ...]:
-    """Return how ``subgraph`` makes each of its goals, sorted: this depends on no other video."""
+    """Return how ``subgraph`` makes each of its goals in ``kitchen``, sorted: this depends on no other video."""
     units = [annotation.unit for annotation in subgraph.annotations]
     return frames_of(units, goals_of(subgraph, kitchen), subgraph.name, tables())
 
 
 def in_plain_order(known: KnownUnit) -> KnownUnit:
-    """Return a unit with its nodes sorted: what is learnt of it must not depend on which video wrote it first."""
+    """Return a ``known`` unit with its nodes sorted: what it teaches must not depend on which video wrote it first."""
     written = known.unit
     unit = FunctionalUnit(
         _sorted(written.input_nodes), written.motion, _sorted(written.output_nodes), written.accepts_any

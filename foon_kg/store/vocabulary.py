@@ -20,19 +20,25 @@ FoodState = tuple[str, str]
 
 
 def food_states(nodes: Iterable[ObjectNode], is_utensil: Callable[[str], bool]) -> set[FoodState]:
-    """Return every (label, state) of the foods among ``nodes``; a node without states counts as ``NO_STATE``."""
+    """Return every (label, state) of the foods among ``nodes``; a node without states counts as ``NO_STATE``.
+
+    ``is_utensil`` tells by a label what is no food.
+    """
     foods = (node for node in nodes if not is_utensil(node.label))
     return {(node.label, state) for node in foods for state in (node.states or (NO_STATE,))}
 
 
 def states_made(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> set[str]:
-    """Return the states that ``unit`` gives to a food: in an output of the food, in none of its inputs."""
+    """Return the states that ``unit`` gives to a food: in an output of the food, in none of its inputs.
+
+    ``is_utensil`` tells by a label what is no food.
+    """
     before, after = food_states(unit.input_nodes, is_utensil), food_states(unit.output_nodes, is_utensil)
     return {state for _, state in after - before if state != NO_STATE}
 
 
 def takes_several(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> bool:
-    """Say whether ``unit`` takes more than one food, be they in a vessel."""
+    """Return whether ``unit`` takes more than one food, be they in a vessel, which ``is_utensil`` tells by a label."""
     names = {name for node in unit.input_nodes for name in (node.label, *node.ingredients) if not is_utensil(name)}
     return len(names) > 1
 

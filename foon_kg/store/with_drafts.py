@@ -74,17 +74,17 @@ class WithDrafts:
         return replace(self.videos.vocabulary(), dish_types=tuple(sorted(types)))
 
     def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
-        """Return the whole vocabulary."""
+        """Return the whole vocabulary, whatever ``foods`` are asked or ``called``."""
         del foods, called
         return self._vocabulary
 
     def words_in(self, units: Sequence[KnownUnit], words: Vocabulary) -> Vocabulary:
-        """Return the whole vocabulary, with the foods of drafts."""
+        """Return the whole vocabulary, with the foods of drafts, whatever ``units`` and ``words``."""
         del units, words
         return self.both.vocabulary()
 
     def words_named(self, names: Collection[str]) -> Vocabulary:
-        """Return the whole vocabulary, with the foods of drafts."""
+        """Return the whole vocabulary, with the foods of drafts, whatever ``names``."""
         del names
         return self.both.vocabulary()
 
@@ -93,13 +93,13 @@ class WithDrafts:
         return self.both.goals(dish_type)
 
     def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
-        """Return all goals of ``dish_type``."""
+        """Return all goals of ``dish_type``, whatever ``foods`` and ``count``."""
         return self.both.likely_goals(dish_type, foods, count)
 
     def behind(
         self, nodes: Collection[ObjectNode], foods: Collection[FoodState] = (), *, most: int | None = None
     ) -> tuple[KnownUnit, ...]:
-        """Return every unit that may take part in making ``nodes`` or ``foods``."""
+        """Return every unit, however many at ``most``, that may take part in making ``nodes`` or ``foods``."""
         return self.both.behind(nodes, foods, most=most)
 
     def methods(self) -> Methods:
@@ -118,12 +118,12 @@ class WithDrafts:
         return found
 
     def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
-        """Return all methods."""
+        """Return all methods, whatever ``foods`` and ``dish_type``."""
         del foods, dish_type
         return self._methods
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
-        """Return, for each of ``names``, the foods of the videos that can best stand for it."""
+        """Return, for each of ``names``, at most ``limit`` foods of the videos that can best stand for it."""
         return self.videos.equivalents(names, limit=limit)
 
     def called(self, labels: Collection[str]) -> tuple[ObjectNode, ...]:

@@ -54,7 +54,10 @@ Most = Annotated[int, Field(ge=1, le=20)]
 
 
 def agent_server(service: FoonService, cypher: Cypher | None = None) -> MCPServer:
-    """Return the server with its tools; without ``cypher`` (a FOON of files) that one says so."""
+    """Return the server with its tools, which ask ``service``.
+
+    Without ``cypher`` (a FOON of files) that one says so.
+    """
     tools = _Tools(service, cypher)
     server = MCPServer("foon-kg", instructions=_INSTRUCTIONS, version=__version__, log_level="WARNING")
     for tool in (tools.plan, tools.explain, tools.similar, tools.suggest, tools.cypher):

@@ -95,8 +95,9 @@ def web_app(
 ) -> FastAPI:
     """Return the application that serves ``service`` under the host ``names``; it closes the service at its end.
 
-    Under the ``public`` names a proxy serves it; ``callers`` knows which proxies are believed to say who asks. With a
-    ``token`` everything below ``/api`` asks for it. With a ``cypher`` desk the explorer takes questions in Cypher.
+    Sizes, times and rates are within ``limits``. Under the ``public`` names a proxy serves it; ``callers`` knows which
+    proxies are believed to say who asks. With a ``token`` everything below ``/api`` asks for it. With a ``cypher`` desk
+    the explorer takes questions in Cypher.
     """
     limits = limits or Limits()
     metrics = Metrics(())

@@ -54,7 +54,10 @@ def edition_told(edition: Edition) -> dict[str, str]:
 
 
 def told(reply: Reply, edition: Edition, scope: Scope) -> tuple[int, dict[str, str], bytes]:
-    """Return status, headers and body of an answer: nothing but its mark for one who asks with GET and has it."""
+    """Return status, headers and body of a ``reply``: nothing but its mark for one who asks with GET and has it.
+
+    ``edition`` of the FOON is in the mark; ``scope`` is that of the request.
+    """
     headers = {"content-type": "application/json", **edition_told(edition)}
     if scope["method"] != "GET" or reply.status != OK:
         return reply.status, headers, reply.body

@@ -37,7 +37,7 @@ class Callers:
     proxies: tuple[Network, ...] = ()
 
     def of(self, scope: Scope) -> str:
-        """Return who sent a request: an address, or the IPv6 network that is one caller's."""
+        """Return who sent the request of a ``scope``: an address, or the IPv6 network that is one caller's."""
         peer = _address((scope.get("client") or ("",))[0])
         if peer is None or not self._is_proxy(peer):
             return _caller(peer)
@@ -62,7 +62,10 @@ class Callers:
 
 
 def proxy_network(text: str) -> Network:
-    """Return the address or network of a proxy to be trusted; raises UsageError where it is none, or is everybody."""
+    """Return the address or network that ``text`` names, of a proxy to be trusted.
+
+    Raises UsageError where it is none, or is everybody.
+    """
     try:
         network = ip_network(text.strip(), strict=False)
     except ValueError as error:

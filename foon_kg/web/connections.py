@@ -48,7 +48,7 @@ class PatientProtocol(H11Protocol):
         self._too_late: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Take the connection, and make room for it."""
+        """Take the connection of a ``transport``, and make room for it."""
         super().connection_made(transport)
         self.caller = self._callers.at_the_end_of(self.client)
         others = [one for one in self.connections if isinstance(one, PatientProtocol) and one is not self]
@@ -61,12 +61,12 @@ class PatientProtocol(H11Protocol):
         self._wait_for_request()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Forget the connection."""
+        """Forget the connection, whatever ``exc`` ended it."""
         self._stop_waiting()
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Read what came; a request that is whole ends the wait for it."""
+        """Read the ``data`` that came; a request that is whole ends the wait for it."""
         if len(self.connections) >= self._limits.connections:  # those that are being closed take nobody's room
             closing = sum(one.transport.is_closing() for one in self.connections)
             self.limit_concurrency = self._limits.connections + closing
@@ -75,7 +75,7 @@ class PatientProtocol(H11Protocol):
             self._stop_waiting()
 
     def send_400_response(self, msg: str) -> None:
-        """Refuse what is no request of HTTP, as every error of this service looks."""
+        """Refuse what is no request of HTTP with ``msg``, as every error of this service looks."""
         reply = Reply.of_error(FoonError(msg.rstrip(".").lower(), hint="Send HTTP/1.1.", code="request"))
         headers = {**HEADERS, "content-type": "application/json", "connection": "close"}
         raw = [(name.encode(), value.encode()) for name, value in headers.items()]
@@ -114,7 +114,7 @@ def _close_oldest(connections: list[PatientProtocol]) -> bool:
 
 
 def server_of(app: FastAPI, limits: Limits, callers: Callers) -> uvicorn.Server:
-    """Return the server that brings ``app`` behind sockets, within ``limits``."""
+    """Return the server that brings ``app`` behind sockets, within ``limits``; ``callers`` knows who asks."""
     config = uvicorn.Config(
         app,
         http=partial(PatientProtocol, limits, callers),  # type: ignore[arg-type] # called like a class

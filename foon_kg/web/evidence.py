@@ -21,9 +21,10 @@ def by_place(units: Iterable[KnownUnit]) -> dict[Place, KnownUnit]:
 def stands_in(
     unit: TreeUnit, substitutions: Sequence[Substitution], known: Mapping[Place, KnownUnit]
 ) -> list[JsonObject]:
-    """Return which foods of a step stand where the video shows others, and how sure that is (0 to 1).
+    """Return which foods of the step ``unit`` stand where the video shows others, and how sure that is (0 to 1).
 
-    A unit of the FOON as it is has none, whatever is in the mixtures that it is done to.
+    They are among the ``substitutions`` of the plan; ``known`` has the units of the FOON by where they are seen. A unit
+    of the FOON as it is has none, whatever is in the mixtures that it is done to.
     """
     if unit.origin == "foon":
         return []

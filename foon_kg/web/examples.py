@@ -21,7 +21,7 @@ _FEW, _MANY = 4, 7
 
 
 def example_dishes(snapshot: Snapshot, answer: Callable[[Question], Answer], most: int) -> list[JsonObject]:
-    """Return at most ``most`` dishes that ``answer`` plans, of as many types as there are.
+    """Return at most ``most`` dishes of a FOON, its ``snapshot``, that ``answer`` plans, of as many types as there are.
 
     Each has its ``name``, its ``dish_type``, its ``ingredients`` in words, the foods among them, the ``video`` that
     makes it and how many steps its plan has.
@@ -56,7 +56,7 @@ def _planned(goal: Goal, snapshot: Snapshot, answer: Callable[[Question], Answer
 
 
 def recorded_dishes(snapshot: Snapshot, most: int) -> Iterator[Question]:
-    """Return at most ``most`` dishes that videos of this FOON make, as a cook would ask for them, of types by turns."""
+    """Yield at most ``most`` dishes that videos in ``snapshot`` make, as a cook would ask for them, types by turns."""
     asked = (_asked(goal, snapshot) for goal in _by_turns(snapshot.goals()))
     return islice((_question(recipe) for recipe in asked if recipe is not None), most)
 

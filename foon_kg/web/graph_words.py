@@ -35,7 +35,7 @@ class GraphWords(Words):
         self.states = sorted(filter(None, words.other_states))
 
     def named(self, kind: Kind, text: str) -> Iterable[str]:
-        """Return some of the foods, objects or goals that ``text`` may become."""
+        """Return some of the foods, objects or goals (``kind``) that ``text`` may become."""
         found = self._like(text)
         if kind == "food":
             return [name for name, _ in found.foods]
@@ -46,7 +46,10 @@ class GraphWords(Words):
         return [name for name, seen in self._like(text, state).foods if seen]
 
     def around(self, label: str) -> JsonObject:
-        """Return what is around an object; raises UnknownError with names that may be meant where there is none."""
+        """Return what is around the object ``label``.
+
+        Raises UnknownError with names that may be meant if there is none.
+        """
         with self.foon.reading_graph() as view:
             there = around_label(view, label, MOST_UNITS)
             if there is None:

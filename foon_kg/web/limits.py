@@ -54,7 +54,10 @@ class Limits:
 async def refuse(
     scope: Scope, send: Send, status: int, error: FoonError, headers: Mapping[str, str] | None = None
 ) -> None:
-    """Return an HTTP request with ``error``, as every error of this service looks."""
+    """Answer the HTTP request of a ``scope`` with ``error``, as every error of this service looks.
+
+    ``send`` takes the answer, with this ``status`` and more ``headers``.
+    """
     body = Reply.of_error(error).body
     told = {"content-type": "application/json", "content-length": str(len(body)), **(headers or {})}
     raw = [(name.encode("latin-1"), value.encode("latin-1")) for name, value in told.items()]

@@ -31,7 +31,10 @@ class Metrics:
         self._seconds: defaultdict[str, float] = defaultdict(float)
 
     def count(self, path: str, method: str, status: int, seconds: float) -> None:
-        """Count a request that was answered; what is no path of the service counts as ``other``, whatever was asked."""
+        """Count a request to ``path`` by its ``method``, answered with ``status`` in so many ``seconds``.
+
+        What is no path of the service counts as ``other``, whatever was asked.
+        """
         path = path if path in self.paths else "other"
         self._requests[path, method if method in _METHODS else "other", status] += 1
         self._buckets[path][bisect_left(BUCKETS, seconds)] += 1

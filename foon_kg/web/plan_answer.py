@@ -34,10 +34,10 @@ def plan_to_json(
     foon: KnownFoon,
     places: Mapping[Place, KnownUnit],
 ) -> JsonObject:
-    """Return the plan of ``question``, what to buy and where to look, and of why, when and pictures what is asked.
+    """Return the plan in an ``answer`` to ``question``, what to buy and where to look, and what else is asked.
 
-    Why has what the judge says of the plan, who compares it with ``foon``. ``places`` are its units by where they are
-    seen.
+    That may be why it is so, with what the judge says who compares it with ``foon``; when what is done, by
+    ``durations`` (seconds); and pictures. ``places`` are the units of the FOON by where they are seen.
     """
     plan, kitchen = answer.outcome, Kitchen.default()
     if not isinstance(plan, PlanResult):
@@ -67,7 +67,10 @@ def plan_to_json(
 
 
 def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) -> JsonObject:
-    """Return the pictures of a plan as SVG texts; raises ModuleNotFoundError without what lays a tree out."""
+    """Return the pictures of a plan as SVG texts: what is ``shown``, and its ``schedules``, ``width`` pixels wide.
+
+    Raises ModuleNotFoundError without what lays a tree out.
+    """
     from foon_kg.formats.pictures.tree import tree_svg  # noqa: PLC0415 - agents ask for none, and need no layout
 
     return {

@@ -109,12 +109,12 @@ class Reply:
 
     @classmethod
     def of(cls, value: JsonObject, status: int = 200) -> Self:
-        """Return with ``value``."""
+        """Return the reply with ``value`` and ``status`` (of HTTP)."""
         return cls(status, json.dumps(value, ensure_ascii=False, separators=(",", ":")).encode())
 
     @classmethod
     def of_error(cls, error: FoonError, beside: JsonObject | None = None) -> Self:
-        """Return with what is wrong and what to do about it."""
+        """Return the reply that says what is wrong (``error``), what to do, and what stands ``beside`` it."""
         said = {"code": error.code, "message": error.message, "hint": error.hint}
         return cls.of({"error": said} | (beside or {}), status_of(error))
 

@@ -140,7 +140,10 @@ def own_names(host: str) -> frozenset[str]:
 
 
 def public_name(text: str) -> str:
-    """Return a name under which a proxy serves this; raises UsageError where it is more or less than a name."""
+    """Return the name ``text`` under which a proxy serves this.
+
+    Raises UsageError where it is more or less than a name.
+    """
     name = text.rstrip(".").lower()
     if not _NAME.fullmatch(name) or _is_address(name):
         raise UsageError(f"“{text}” is no host name", hint="Give the name alone: --name kitchen.example.org")

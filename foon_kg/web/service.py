@@ -188,15 +188,18 @@ class FoonService:
         return self.current().words.summary()
 
     def complete(self, kind: Kind, text: str, limit: int) -> list[str]:
-        """Return what ``text`` may become."""
+        """Return at most ``limit`` words that ``text`` may become, of a ``kind``."""
         return self.current().words.complete(kind, text, limit)
 
     def similar(self, names: list[str], limit: int, role: str | None = None) -> list[JsonObject]:
-        """Return for each name the known foods that can stand for it; with ``role``, where it plays that role."""
+        """Return for each of ``names`` at most ``limit`` known foods that can stand for it.
+
+        With ``role``, where it plays that.
+        """
         return self.current().words.similar(names, limit, role)
 
     def around(self, label: str) -> JsonObject:
-        """Return what the FOON has around an object; raises UnknownError."""
+        """Return what the FOON has around the object ``label``; raises UnknownError."""
         return self.current().words.around(label)
 
     def explorer(self) -> Explorer:

@@ -53,7 +53,7 @@ class Sources(Protocol):
         ...
 
     def of(self, answer: Answer, *, with_drafts: bool) -> Source:
-        """Return with what a plan is compared that was made with drafts or without."""
+        """Return with what the plan of an ``answer`` is compared, made with drafts (``with_drafts``) or without."""
         ...
 
 
@@ -111,9 +111,10 @@ class PartSources:
             raise UsageError("this FOON is too large to plan with drafts", hint=hint)
 
     def of(self, answer: Answer, *, with_drafts: bool) -> Source:
-        """Return the videos that a plan names, and the goals of its dish type.
+        """Return the videos that the plan of an ``answer`` names, and the goals of its dish type.
 
-        What the judge knows of other videos' steps ("FOON has an operator for such a food") is not looked at.
+        Raises UsageError for a plan ``with_drafts``. What the judge knows of other videos' steps ("FOON has an operator
+        for such a food") is not looked at.
         """
         self.check(with_drafts=with_drafts)
         if not isinstance(answer.outcome, PlanResult):

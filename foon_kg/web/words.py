@@ -49,7 +49,7 @@ class Words(ABC):
 
     @abstractmethod
     def named(self, kind: Kind, text: str) -> Iterable[str]:
-        """Return names of foods, objects or goals, among them all, or many, that ``text`` may become."""
+        """Return names of foods, objects or goals (``kind``), among them all, or many, that ``text`` may become."""
 
     @abstractmethod
     def seen_in(self, state: str, text: str) -> Iterable[str]:
@@ -57,7 +57,7 @@ class Words(ABC):
 
     @abstractmethod
     def around(self, label: str) -> JsonObject:
-        """Return an object's nodes, its states, the units that make and take it, and the videos it is in.
+        """Return the nodes of the object ``label``, its states, the units that make and take it, and its videos.
 
         Raises UnknownError with the nearest names where the FOON does not have it.
         """
@@ -89,10 +89,10 @@ class Words(ABC):
         return found[:limit]
 
     def similar(self, names: Sequence[str], limit: int, role: str | None = None) -> list[JsonObject]:
-        """Return for each name the known foods that can best stand for it, with what speaks for each.
+        """Return for each of ``names`` at most ``limit`` known foods that can best stand for it, and why.
 
-        With ``role`` ("liquid", "protein"), those that a cook takes for it where it is there for that; UsageError for
-        a role that nobody knows.
+        With ``role`` ("liquid", "protein"), those that a cook takes for it where it is there for that; UsageError for a
+        role that nobody knows.
         """
         foon = self.foon
         found = foon.similar_to_each(names, limit, role=role)
@@ -141,17 +141,20 @@ class FoonWords(Words):
         self.size = Size(len(snapshot.units), len(snapshot.subgraphs), len(self.foods))
 
     def named(self, kind: Kind, text: str) -> Iterable[str]:
-        """Return all foods, objects or goals."""
+        """Return all foods, objects or goals (``kind``), whatever ``text``."""
         del text
         return {"food": self.foods, "object": self._objects, "goal": self._goals}[kind]
 
     def seen_in(self, state: str, text: str) -> Iterable[str]:
-        """Return the foods that are seen in ``state``."""
+        """Return the foods that are seen in ``state``, whatever ``text``."""
         del text
         return (row.label for row in self.snapshot.vocabulary().foods if row.state == state)
 
     def around(self, label: str) -> JsonObject:
-        """Return what is around an object; raises UnknownError with the nearest names where there is none."""
+        """Return what is around the object ``label``.
+
+        Raises UnknownError with the nearest names where there is none.
+        """
         called = self._units_by_label.get(label)
         if called is None:
             raise no_object(label, self._objects)
@@ -185,14 +188,14 @@ class FoonWords(Words):
 
 
 def no_object(label: str, known: Iterable[str]) -> UnknownError:
-    """Return what is told to who asks for an object that is not there; ``known`` are names that may be meant."""
+    """Return what is told to who asks for a ``label`` that is not there; ``known`` are names that may be meant."""
     near = difflib.get_close_matches(label, list(known), n=3)
     meant = f"Did you mean {' or '.join(near)}?" if near else "The page and /api/complete complete names."
     return UnknownError(f"this FOON has no object “{label}”", hint=meant)
 
 
 def place_to_see(sightings: Sequence[Sighting], videos: Collection[str] = ()) -> Sighting | None:
-    """Return of all places where a unit is seen the one to look at, or ``None`` where there is none.
+    """Return of all ``sightings`` of a unit the one to look at, or ``None`` where there is none.
 
     It is in one of ``videos``, where one of them shows it; of those the first that has a time.
     """
@@ -201,7 +204,10 @@ def place_to_see(sightings: Sequence[Sighting], videos: Collection[str] = ()) ->
 
 
 def seen_at(sightings: Sequence[Sighting], videos: Collection[str] = ()) -> str | None:
-    """Return the web address of the second in which a unit is seen, as :func:`place_to_see` says, or ``None``."""
+    """Return the web address of the second in which a unit is seen, or ``None``.
+
+    It is one of ``sightings``, in one of ``videos`` if there is one, as :func:`place_to_see` says.
+    """
     seen = place_to_see(sightings, videos)
     if seen is None or seen.source is None or urlsplit(seen.source).scheme not in {"http", "https"}:
         return None

@@ -52,7 +52,8 @@ def export_tree(
 ) -> tuple[ExportFile, ...]:
     """Return a task tree in the format called ``form``; its files are called after the tree.
 
-    ``costs`` give the motions in GraphML and behaviour trees their success rates.
+    ``amounts`` say how much of each food was asked. ``costs`` give the motions in GraphML and behaviour trees their
+    success rates.
 
     Raises :class:`~foon_kg.model.errors.UsageError` for a format that is for whole FOONs only, and
     :class:`~foon_kg.model.errors.FormatError` where the format cannot say what is in the tree.

@@ -43,7 +43,7 @@ class BipartiteGraph:
 
     @classmethod
     def of_tree(cls, tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> Self:
-        """Return the graph of a task tree; its motion nodes are numbered like its steps."""
+        """Return the graph of a task tree; its motion nodes are numbered like its steps, and weighed by ``costs``."""
         goals = frozenset((tree.goal,)) if tree.goal is not None else frozenset[ObjectNode]()
         planned = tree.result.units if tree.result is not None else ()
         objects, edges = _drawn(tree.units, planned, tree.kitchen)
@@ -52,7 +52,7 @@ class BipartiteGraph:
 
     @classmethod
     def of_foon(cls, foon: Snapshot, costs: MotionCosts = NO_COSTS) -> Self:
-        """Return the graph of a whole FOON; its motion nodes are in the order of their keys."""
+        """Return the graph of a whole ``foon``, weighed by ``costs``; its motions are in the order of their keys."""
         objects, edges = _drawn(foon.units)
         goals = frozenset(goal.node for goal in foon.goals())
         at_hand = frozenset(filter(foon.kitchen.has, objects.values()))

@@ -53,7 +53,7 @@ MERGE (l)-[:LABEL_OF]->(f)
 
 
 def write_neo4j_csv(foon: Snapshot, costs: MotionCosts = NO_COSTS) -> tuple[ExportFile, ...]:
-    """Return the CSV files of a whole FOON with the weights of its motions, and a file of arguments for the import."""
+    """Return the CSV files of a whole ``foon`` with the ``costs`` of its motions, and the arguments for the import."""
     nodes, edges = node_tables(foon), edge_tables(foon)
     nodes["Motion"] = [(*row, costs.costs.get(str(row[1]))) for row in nodes["Motion"]]
     places = {label: {row[0]: place for place, row in enumerate(rows)} for label, rows in nodes.items()}

@@ -10,7 +10,7 @@ _MARKS = "%;,:(){}[]"
 
 
 def node_text(node: ObjectNode) -> str:
-    """Return ``onion (chopped, peeled) {garlic} [on: cutting board]``; parts that say nothing are left out.
+    """Return a ``node`` as ``onion (chopped, peeled) {garlic} [on: cutting board]``, without parts that say nothing.
 
     The characters that mean something here, and those that would end the line, are written in names as in an address
     (``%2C``): splitting at ``;`` and then at the brackets gives back what was written.

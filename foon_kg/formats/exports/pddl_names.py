@@ -18,7 +18,7 @@ def slug(text: str) -> str:
 
 
 def name_of(prefix: str, text: str) -> str:
-    """Return a name that begins with ``prefix``, which makes it unique and tells it from the words of PDDL."""
+    """Return a name for ``text`` that begins with ``prefix``: so it is unique, and no word of PDDL."""
     words = slug(text)
     return f"{prefix}_{words}" if words else prefix
 

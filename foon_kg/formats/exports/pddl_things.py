@@ -43,7 +43,7 @@ class Action:
 
 
 def has_numbers(result: PlanResult) -> bool:
-    """Whether every node of a plan has the number of a thing."""
+    """Return whether every node of a plan's ``result`` has the number of a thing."""
     mentions = [one for unit in result.units for one in (*unit.taken, *unit.made)]
     return bool(mentions) and all(one.thing is not None for one in mentions)
 

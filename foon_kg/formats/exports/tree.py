@@ -41,10 +41,10 @@ class ExportedTree:
 
     @classmethod
     def of_subgraph(cls, subgraph: Subgraph, kitchen: Kitchen) -> Self:
-        """Return the tree that a FOON file tells, each unit seen where the file has it.
+        """Return the tree that the ``subgraph`` of a FOON file tells, each unit seen where the file has it.
 
-        A file names no kitchen: the tree starts from its leaves, and from the empty utensils at rest that it also puts
-        back later, as ``foon check`` reads it.
+        A file names no ``kitchen``: the tree starts from its leaves, and from the empty utensils at rest that it also
+        puts back later, as ``foon check`` reads it.
         """
         units = tuple(KnownUnit(unit, (sighting,)) for unit, sighting in sightings_of(subgraph))
         marked = [p.node for known in units for p in known.unit.outputs if p.dish_type]

@@ -70,9 +70,10 @@ def layered(
 
 
 def banded(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], bands: Sequence[int]) -> Layout | None:
-    """Place boxes so that all of one band stand above all of the next; ``None`` where an arrow leads back.
+    """Return where boxes of these ``sizes`` stand so that all of one band are above all of the next.
 
-    ``bands`` has a number for each box. Within its band a box stands as low as what follows it allows.
+    ``arrows`` lead from box to box, by their places; ``bands`` has a number for each box. Within its band a box stands
+    as low as what follows it allows. ``None`` where an arrow leads back.
     """
     if any(bands[one] > bands[other] for one, other in arrows):
         return None

@@ -42,6 +42,7 @@ def leave_one_out_report(
 ) -> str:
     """Return the text of an HTML file: tables, charts, and the worst videos with both their trees.
 
+    It tells an ``evaluation`` of ``subgraphs`` in a ``kitchen``, and its ``comparison`` with an earlier one.
     ``planned`` makes the tree of a video once more, from the others: the figures do not hold them.
     """
     every = evaluation.all

@@ -34,7 +34,10 @@ _BUTTONS = (
 
 
 def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
-    """Return the text of an HTML file: the tree as a picture to move and zoom, steps, lists and progress lines."""
+    """Return the text of an HTML file: the ``tree`` as a picture to move and zoom, steps, lists and progress lines.
+
+    ``kitchen`` tells foods from utensils; see :func:`~foon_kg.formats.pictures.scene.scene_of` for ``folded``.
+    """
     style, stage, script = (_file(name) for name in ("page.css", "stage.js", "page.js"))
     parts = [
         f"<h1>{_text(tree.title)}</h1>",

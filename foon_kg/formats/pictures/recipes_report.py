@@ -35,7 +35,10 @@ _QUOTED = (100, 95, 90, 85, 75, 50)
 def recipes_report(
     evaluation: RecipeEvaluation, agreement: Agreement | None = None, comparison: Comparison | None = None
 ) -> str:
-    """Return the text of an HTML file: tables, charts, and the worst recipes with their trees."""
+    """Return the text of an HTML file about an ``evaluation``: tables, charts, and the worst recipes with their trees.
+
+    People's ``agreement`` with the rule, and a ``comparison`` with an earlier evaluation, are told where there are any.
+    """
     dishes = [*evaluation.dishes, *([evaluation.all] if len(evaluation.dishes) > 1 else [])]
     every = evaluation.all
     parts = [

@@ -62,12 +62,15 @@ def charts(*figures: tuple[str, str]) -> str:
 
 
 def unfolded(summary: str, *parts: str, is_open: bool = False) -> str:
-    """Return what is shown when its summary (HTML already) is clicked."""
+    """Return what is shown when its ``summary`` (HTML already) is clicked, or at once where it ``is_open``."""
     return f"<details{' open' if is_open else ''}>\n<summary>{summary}</summary>\n{''.join(parts)}</details>\n"
 
 
 def tree_picture(tree: ShownTree, kitchen: Kitchen, name: str) -> str:
-    """Return a tree as a picture; ``name`` keeps its arrow heads apart from those of other pictures of the page."""
+    """Return a ``tree`` of a ``kitchen`` as a picture.
+
+    ``name`` keeps its arrow heads apart from those of other pictures of the page.
+    """
     svg = tree_svg(tree, kitchen).replace('id="way-end"', f'id="way-end-{name}"')
     svg = svg.replace("url(#way-end)", f"url(#way-end-{name})")
     return f'<div class="tree" tabindex="0" role="group" aria-label="{words(tree.title)}">{svg}</div>\n'
@@ -102,7 +105,7 @@ def agreement_section(agreement: Agreement) -> str:
 
 
 def left_out_section(left_out: Sequence[LeftOut]) -> str:
-    """Return the dish types that the FOON knows too little of; nothing where there are none."""
+    """Return the dish types ``left_out``, of which the FOON knows too little; nothing where there are none."""
     if not left_out:
         return ""
     rows = [(words(dish.dish_type or "no dish type"), str(dish.goals), str(dish.asked)) for dish in left_out]
@@ -110,7 +113,10 @@ def left_out_section(left_out: Sequence[LeftOut]) -> str:
 
 
 def without_tree_section(asked: str, failed: Sequence[tuple[str, str, str]]) -> str:
-    """Return for each that has no tree its name, its dish and why; nothing where there are none."""
+    """Return of what was ``asked`` (recipes, videos) those that ``failed``; nothing where there are none.
+
+    Each has its name, its dish and why it has no tree.
+    """
     if not failed:
         return ""
     rows = [tuple(map(words, one)) for one in failed]

@@ -47,10 +47,11 @@ class Scene:
 
 
 def scene_of(units: Sequence[TreeUnit], goal: ObjectNode, kitchen: Kitchen, *, folded: bool = True) -> Scene:
-    """Return the scene of a tree whose ``units`` are in the order of execution.
+    """Return the scene of a tree that makes ``goal``, whose ``units`` are in the order of execution.
 
-    ``folded`` leaves out what a person does not look for: utensils are named within the motion, vessels whose foods
-    stand beside them and leftovers that nothing takes are not there. A unit always keeps an arrow to what follows.
+    ``folded`` leaves out what a person does not look for: utensils of the ``kitchen`` are named within the motion,
+    vessels whose foods stand beside them and leftovers that nothing takes are not there. A unit always keeps an arrow
+    to what follows.
     """
     takings = _takings(units)
     shown = [_shown_inputs(unit, kitchen) if folded else list(_taken(unit)) for unit in units]
@@ -62,9 +63,10 @@ _PHASES = ("prepare", "heat", "finish")
 
 
 def phases_of(scene: Scene) -> tuple[int, ...]:
-    """Return for each box the place of its phase (making ready, cooking, serving), or nothing where a unit has none.
+    """Return for each box of a ``scene`` the place of its phase (making ready, cooking, serving).
 
-    What is made has the phase of the unit that makes it, what comes from the kitchen that of the unit that takes it.
+    Nothing where a unit has none. What is made has the phase of the unit that makes it, what comes from the kitchen
+    that of the unit that takes it.
     """
     phases: dict[int, int] = {}
     for place, box in enumerate(scene.boxes):

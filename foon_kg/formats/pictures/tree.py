@@ -45,7 +45,7 @@ _LEGEND = (
 
 
 def tree_svg(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True, headed: bool = True) -> str:
-    """Return the text of an SVG file that shows ``tree``; see :func:`scene_of` for ``folded``.
+    """Return the text of an SVG file that shows ``tree`` in its ``kitchen``; see :func:`scene_of` for ``folded``.
 
     Its title and legend are left out where it is not ``headed``: a page that moves the picture tells them beside it.
     """

@@ -17,7 +17,10 @@ _MOST_VIDEOS = 2
 
 
 def candidates_view(goal: Goal, found: Enumeration, exact: ReferenceTree) -> RenderableType:
-    """Return the best of the trees that were found with their scores, when looking ended, and what the search says."""
+    """Return the best of the trees of ``goal`` that were ``found`` with their scores, and when looking ended.
+
+    Beside it stands the ``exact`` tree of the search.
+    """
     parts: list[RenderableType] = [Text.assemble("The reference trees of ", node_words(goal.node)), _table(found)]
     if found.found[MOST_SHOWN:]:
         parts.append(Text(f"… and {len(found.found) - MOST_SHOWN} more (--json has them all)", ASIDE))

@@ -25,7 +25,7 @@ _BROKEN = "Trees with a fatal finding of each rule, and with any"
 
 
 def recipe_evaluation_view(evaluation: RecipeEvaluation) -> RenderableType:
-    """Return what is correct, what is accepted, the curve, the confidences, the rules broken, and what was left out."""
+    """Return what an ``evaluation`` says: correct, accepted, the curve, confidences, rules broken, left out."""
     dishes = [*evaluation.dishes, *([evaluation.all] if len(evaluation.dishes) > 1 else [])]
     verdicts = [(dish.name, dish.verdicts) for dish in dishes]
     parts = [
@@ -44,7 +44,7 @@ def recipe_evaluation_view(evaluation: RecipeEvaluation) -> RenderableType:
 
 
 def trees_evaluation_view(evaluation: TreesEvaluation) -> RenderableType:
-    """Return what robot and cook accept by dish type, which rules are broken, and what has no tree."""
+    """Return what an ``evaluation`` says: accepted by robot and cook for each dish type, rules broken, the rest."""
     verdicts = evaluation.verdicts if len(evaluation.verdicts) > 2 else evaluation.verdicts[-1:]  # noqa: PLR2004
     parts = [section("Accepted", accepted_table("trees", verdicts)), section(_BROKEN, broken_table(verdicts[-1:]))]
     if evaluation.without_tree:
@@ -54,7 +54,7 @@ def trees_evaluation_view(evaluation: TreesEvaluation) -> RenderableType:
 
 
 def accepted_table(asked: str, verdicts: Sequence[tuple[str, Verdicts]]) -> Table:
-    """Return for each dish type how many of what was ``asked`` robot and cook accept, and the shares."""
+    """Return by dish type, of its ``verdicts``, how many (and what share) of those ``asked`` robot and cook accept."""
     table = columns("", asked, "robot", "cook", "accepted", "form kept", "no tree")
     table.columns[0].no_wrap = True
     for name, found in verdicts:
@@ -64,7 +64,10 @@ def accepted_table(asked: str, verdicts: Sequence[tuple[str, Verdicts]]) -> Tabl
 
 
 def broken_table(verdicts: Sequence[tuple[str, Verdicts]]) -> Table:
-    """Return for each rule how many trees have a fatal finding by dish type; of all, the last, how many have any."""
+    """Return for each rule how many trees have a fatal finding by dish type; the last row says how many have any.
+
+    ``verdicts`` are those of each dish type, of all in the end.
+    """
     table = columns("", *(name for name, _ in verdicts), "with any", "asked")
     table.columns[0].no_wrap = True
     for rule in RULES:
@@ -78,7 +81,7 @@ def broken_table(verdicts: Sequence[tuple[str, Verdicts]]) -> Table:
 
 
 def left_out_view(left_out: Sequence[LeftOut]) -> list[RenderableType]:
-    """Return a section that names the dish types that the FOON knows too little of; nothing where there are none."""
+    """Return a section that names the dish types ``left_out``: the FOON knows too little of them; nothing for none."""
     if not left_out:
         return []
     rows = [(dish.dish_type or "no dish type", f"{dish.goals} goals", f"{dish.asked} asked") for dish in left_out]

@@ -21,7 +21,7 @@ TITLES = {
 
 
 def leave_one_out_view(evaluation: LeaveOneOut) -> RenderableType:
-    """Return each measure by method, how far foon-kg is ahead, the units by dish type, and what was left out."""
+    """Return what an ``evaluation`` says: each measure by method, how far foon-kg is ahead, units by dish type."""
     every = evaluation.all
     parts: list[RenderableType] = [Text(f"{len(every.videos)} videos, each taken out of the FOON and asked for")]
     parts += [section(title, _measure(every, measure)) for measure, title in TITLES.items()]

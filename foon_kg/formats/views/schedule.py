@@ -77,7 +77,7 @@ def clock(seconds: float) -> str:
 
 
 def seen_words(duration: Duration) -> str:
-    """Return how often a motion was seen, and for how long mostly: ``14 times, 3 to 20 s``."""
+    """Return how often the motion of a ``duration`` was seen, and for how long mostly: ``14 times, 3 to 20 s``."""
     if not duration.sightings:
         return f"{clock(duration.median)}, as a recipe says"
     times = "once" if duration.sightings == 1 else f"{duration.sightings} times"

@@ -32,13 +32,16 @@ class ShownTree:
 
     @classmethod
     def of_result(cls, result: PlanResult) -> Self:
-        """Look at a plan."""
+        """Return the tree of a plan's ``result``, to look at."""
         title = result.recipe.title or " · ".join(filter(None, (result.goal.label, result.recipe.id)))
         return cls(title, result.units, result.goal, result.kitchen, _named_lines(result), result)
 
     @classmethod
     def of_subgraph(cls, subgraph: Subgraph) -> Self:
-        """Look at FOON text. The goal is the last output that is marked as one, else the first of the last unit."""
+        """Return the tree of a ``subgraph``, to look at.
+
+        Its goal is the last output that is marked as one, else the first of the last unit.
+        """
         source = subgraph.sources[0] if subgraph.sources else None
         units = tuple(
             replace(

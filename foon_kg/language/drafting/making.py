@@ -52,7 +52,10 @@ class Maker(OfNodes):
         outputs: Sequence[ObjectNode],
         evidence: Evidence,
     ) -> DraftUnit:
-        """Return the unit, and let the scene be as it leaves it."""
+        """Return the unit of an ``action``: its ``motion``, ``inputs``, ``outputs`` and the ``evidence`` for them.
+
+        The scene is then as the unit leaves it.
+        """
         self.scene.keep(outputs)
         sides = [tuple(map(Participant, dict.fromkeys(side))) for side in (inputs, outputs)]
         unit = FunctionalUnit(sides[0], motion, sides[1])
@@ -100,7 +103,7 @@ class Maker(OfNodes):
         return next((name for name in fit if name in names), names[0])
 
     def lit(self, appliance: str, action: NarratedAction) -> list[DraftUnit]:
-        """Return the unit that nobody told: an appliance that heats must have been turned on."""
+        """Return the unit that nobody told before ``action``: an ``appliance`` that heats must have been turned on."""
         row, node = tables().utensil(appliance), self.nodes.vessel(appliance)
         if row is None or row.source != "heat" or self.precedents.kitchen.is_running(node):
             return []

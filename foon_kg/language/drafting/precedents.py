@@ -64,7 +64,10 @@ class Precedents:
         return _commonest((row.before, row.weight) for row in first)
 
     def after(self, before: States) -> tuple[States, float]:
-        """Return the states after, of rows that begin alike where there are such, and their share."""
+        """Return the states after a motion, and the share of rows that say so.
+
+        They are those of rows with these states ``before`` where there are such.
+        """
         alike = [row for row in self.rows if set(row.before) == set(before)]
         if alike:
             return _commonest((row.after, row.weight) for row in alike)
@@ -76,7 +79,7 @@ class Precedents:
         return tuple(sorted({*come} | kept)), share
 
     def keeps(self, before: States) -> bool:
-        """Whether there are rows that begin so: what they say counts, even that the states stay as they are."""
+        """Return whether rows have these states ``before``: what they say counts, even that states stay as they are."""
         return any(set(row.before) == set(before) for row in self.rows)
 
     def place_before(self) -> tuple[Place, float]:

@@ -27,7 +27,10 @@ def with_state(states: Sequence[str], told: str) -> tuple[str, ...]:
 
 
 def before_it(told: str) -> str | None:
-    """Return the state that a thing must have had before, closed before it is opened; ``None`` for most."""
+    """Return the state that a thing must have had before one that is ``told``, closed before it is opened.
+
+    ``None`` for most.
+    """
     return next(iter(sorted(_others(told))), None)
 
 

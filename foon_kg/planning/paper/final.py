@@ -60,13 +60,13 @@ def made_for(want: RequiredIngredient, vocabulary: Vocabulary, similarity: Simil
 def construct_final_task_tree(
     knowledge: Knowledge, reference: ReferenceTree, made: Mapping[RequiredIngredient, MadeFood]
 ) -> FinalTree:
-    """Return ``reference`` with every required food, and without any other (algorithm 4).
+    """Return ``reference`` with every required food, and without any other (Sakib et al., algorithm 4).
 
-    ``made`` has, for each required (object, state), what stands for it. What the reference tree lacks is prepared
-    before everything else: of several subtrees the one with the fewest units. What the kitchen has in the required
-    state needs none. Each food is connected to the last unit that is marked to accept any number of inputs and makes
-    something that gets into the goal; few real units are marked, and without one it is the last such unit that takes
-    several foods, else the last.
+    ``knowledge`` is of the whole FOON; ``made`` has, for each required (object, state), what stands for it. What the
+    reference tree lacks is prepared before everything else: of several subtrees the one with the fewest units. What the
+    kitchen has in the required state needs none. Each food is connected to the last unit that is marked to accept any
+    number of inputs and makes something that gets into the goal; few real units are marked, and without one it is the
+    last such unit that takes several foods, else the last.
 
     Raises NoTreeError where nothing is left of the tree.
     """

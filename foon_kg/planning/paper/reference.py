@@ -40,8 +40,8 @@ class Knowledge:
     ) -> Knowledge:
         """Return the knowledge with ``units`` numbered, and with the leaves at which a search ends.
 
-        The paper leaves open what a leaf is. Here: what the kitchen has, what no unit makes, and what units make only
-        out of each other, in a circle.
+        ``vocabulary`` has the words of the units, ``similarity`` compares them. The paper leaves open what a leaf is.
+        Here: what the ``kitchen`` has, what no unit makes, and what units make only out of each other, in a circle.
         """
         known = tuple(units)
         made = {node for one in known for node in one.unit.output_nodes}
@@ -68,13 +68,13 @@ def identify_goal_node(goals: Sequence[Goal], required: Sequence[str], similarit
 def retrieve_reference_task_tree(
     knowledge: Knowledge, goal: ObjectNode, required: Sequence[str], most_paths: int
 ) -> ReferenceTree:
-    """Return, of all paths that make ``goal``, the one of greatest overlap, then of fewest units (algorithm 3).
+    """Return, of all paths of ``knowledge`` that make ``goal``, the one of greatest overlap, then of fewest units.
 
-    A path chooses one producer for every object that is needed. Of the producers of an object those that overlap
-    nothing required are pruned; where none overlaps (an oven is turned on) the paper leaves open what is done: all are
-    kept. A tree overlaps a required food where it has an object similar to it, a unit also where it only names one as
-    an ingredient. Producers of more similar pairs, then of fewer inputs, come first in the product. The tree is
-    ``exact`` where all paths were looked at.
+    This is algorithm 3 of Sakib et al. A path chooses one producer for every object that is needed. Of the producers of
+    an object those that overlap nothing ``required`` are pruned; where none overlaps (an oven is turned on) the paper
+    leaves open what is done: all are kept. A tree overlaps a required food where it has an object similar to it, a unit
+    also where it only names one as an ingredient. Producers of more similar pairs, then of fewer inputs, come first in
+    the product. The tree is ``exact`` where all paths were looked at.
 
     Raises NoTreeError where none of the first ``most_paths`` combinations of producers is a tree.
     """

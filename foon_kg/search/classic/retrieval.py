@@ -23,12 +23,14 @@ def retrieve_tree(
     *,
     time_limit: float | None = 10.0,
 ) -> RetrievalResult:
-    """Return the best tree, by the criterion of ``sought``, for any object node of the FOON that fits it.
+    """Return the best tree, by the criterion of ``sought``, for any object node of the FOON of ``view`` that fits it.
 
-    A tree chooses one producer for each object node that is needed and not at hand, well-founded; a unit that serves
-    several counts once; the goal is made by a unit even where the kitchen has it. Where two trees are as good, that
-    with the fewer units is taken, then that with the lexicographically least sorted keys of its units, then the least
-    goal. By success, a unit that never succeeds is not used. ``time_limit`` is in seconds, ``None`` for none.
+    A tree chooses one producer for each object node that is needed and not at hand in ``kitchen``, well-founded; a unit
+    that serves several counts once; the goal is made by a unit even where the kitchen has it. Where two trees are as
+    good, that with the fewer units is taken, then that with the lexicographically least sorted keys of its units, then
+    the least goal. By success (``costs`` are 0 to 1 for each motion), a unit that never succeeds is not used.
+    ``time_limit`` is in seconds, ``None`` for none. This is the retrieval of Paulius et al. (2016), and of Sakib et al.
+    by weights.
 
     Raises NoTreeError for a goal that the FOON does not have; NoWayError, naming what is missing, where nothing makes
     it; UsageError where success is asked and there are no weights.

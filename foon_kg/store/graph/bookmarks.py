@@ -25,7 +25,7 @@ def bookmark_folder() -> Path:
 
 
 def bookmarks_of(settings: ConnectionSettings) -> BookmarkManager:
-    """Return what keeps the bookmarks of a database."""
+    """Return what keeps the bookmarks of the database of these ``settings``."""
     asked = json.dumps([settings.uri, settings.database])
 
     def read() -> Bookmarks:

@@ -67,7 +67,7 @@ class Connection:
     def session(
         self, *, writing: bool = False, warned: bool = False, at_once: int | None = None
     ) -> Iterator[neo4j.Session]:
-        """Open a session. Whatever the driver raises becomes a GraphError.
+        """Open a session for reading, or for ``writing``. Whatever the driver raises becomes a GraphError.
 
         Of a cluster, reads go to followers, and see what programs of this user wrote (:mod:`bookmarks`).
 
@@ -106,7 +106,7 @@ class Connection:
 
 @contextmanager
 def explained(settings: ConnectionSettings) -> Iterator[None]:
-    """Raise what the driver raises as GraphErrors that say what to do."""
+    """Raise what the driver raises as GraphErrors that say what to do about the Neo4j of these ``settings``."""
     try:
         yield
     except driver_errors.IncompleteCommit as error:

@@ -10,9 +10,10 @@ from foon_kg.store.statistics import MOST, Statistics, most_first, most_made
 
 
 def count(connection: Connection) -> Statistics:
-    """Return the figures of the whole graph, as :meth:`~foon_kg.store.statistics.Statistics.of` counts them in memory.
+    """Return the figures of the whole graph of a ``connection``.
 
-    Raises GraphError where no FOON answers, SchemaError for one of another version.
+    They are those that :meth:`~foon_kg.store.statistics.Statistics.of` counts in memory. Raises GraphError where no
+    FOON answers, SchemaError for one of another version.
     """
     with connection.session() as session, session.begin_transaction() as transaction:
         check_schema(next(iter(ask(transaction, SCHEMA_STATE)), None))
@@ -32,7 +33,7 @@ def count(connection: Connection) -> Statistics:
 
 
 def unit_count(connection: Connection) -> int:
-    """Return how many units the graph has."""
+    """Return how many units the graph of a ``connection`` has."""
     with connection.session() as session:
         (row,) = session.execute_read(ask, UNITS_COUNT)
     return row.units

@@ -23,7 +23,7 @@ _MANUAL = "See the Cypher manual: neo4j.com/docs/cypher-manual."
 
 
 def told_error(message: str, text: str, *, lines_before: int) -> GraphError:
-    """Return the error that a server has with ``text``; it got so many lines of ours before it."""
+    """Return the error for a ``message`` of the server about ``text``; it got so many ``lines_before`` of ours."""
     place = _PLACE.search(message)
     what = message if place is None else message[: place.start()]
     where = ""
@@ -58,7 +58,8 @@ def unknown_names(
 ) -> Iterator[str]:
     """Yield a line about each label, type and property of a question that nothing in the graph has.
 
-    ``known`` returns the names that a procedure of the server lists.
+    ``statuses`` are the server's about that question, which came behind so many ``lines_before``. ``known`` returns the
+    names that a procedure of the server lists.
     """
     told = set()
     for status in sorted(statuses, key=_place):

@@ -17,7 +17,7 @@ from foon_kg.store.snapshot import distinct_by_name
 
 
 def differences(connection: Connection, subgraphs: Iterable[Subgraph]) -> tuple[VideoDifference, ...]:
-    """Return for each of ``subgraphs`` what loading it would change now; each is compared with the graph as it is.
+    """Return for each of ``subgraphs`` what loading it would change now, compared with the graph of ``connection``.
 
     Raises ReadError where two of them have one name and differ, GraphError where the database fails.
     """
@@ -27,9 +27,9 @@ def differences(connection: Connection, subgraphs: Iterable[Subgraph]) -> tuple[
 
 
 def losses(connection: Connection, names: Sequence[str]) -> tuple[VideoDifference, ...]:
-    """Return for each of the named videos what taking it out alone would take away.
+    """Return for each of the videos called ``names`` what taking it alone out of the graph would take away.
 
-    Raises :class:`~foon_kg.model.errors.UsageError` where the graph has no such video.
+    ``connection`` leads to that graph. Raises :class:`~foon_kg.model.errors.UsageError` where it has no such video.
     """
     with connection.session() as session:
         return session.execute_read(_losses, names)
@@ -55,7 +55,7 @@ def _differences(
 
 
 def unknown_videos(names: Sequence[str]) -> UsageError:
-    """Return the error that says that the graph does not have these videos."""
+    """Return the error that says that the graph does not have the videos called ``names``."""
     return UsageError(
         f"the graph has no video “{'”, “'.join(sorted(names))}”",
         hint="A video is named like its file, without the ending: foon cypher 'MATCH (v:Video) RETURN v.name'.",

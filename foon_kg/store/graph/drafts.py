@@ -56,10 +56,11 @@ def load_drafts(
     stored: Callable[[DraftsStored], None] = lambda _: None,
     per_transaction: int = DRAFTS_PER_TRANSACTION,
 ) -> DraftsStored:
-    """Bring the graph to have ``drafts``; one of a known name is replaced, and what is there already stays as it is.
+    """Bring the graph of ``connection`` to have ``drafts``; one of a known name is replaced, the same stays as it is.
 
-    ``stored`` is told of each transaction when it is safe: after a kill, the next load goes on behind it. Raises
-    GraphError when the database fails.
+    ``kitchen`` is the usual one for ``None``. ``stored`` is told of each transaction, with so many drafts
+    (``per_transaction``), when it is safe: after a kill, the next load goes on behind it. Raises GraphError when the
+    database fails.
     """
     kitchen = kitchen or Kitchen.default()
     total = DraftsStored()
@@ -75,7 +76,7 @@ def load_drafts(
 
 
 def remove_drafts(connection: Connection, names: Collection[str]) -> None:
-    """Take drafts out of the graph, all in one transaction.
+    """Take the drafts called ``names`` out of the graph of ``connection``, all in one transaction.
 
     Raises :class:`~foon_kg.model.errors.UsageError` where the graph lacks one of ``names``; nothing is removed then.
     """
@@ -84,7 +85,7 @@ def remove_drafts(connection: Connection, names: Collection[str]) -> None:
 
 
 def check_drafts(connection: Connection, names: Collection[str]) -> None:
-    """Raise :class:`~foon_kg.model.errors.UsageError` where the graph lacks one of the named drafts."""
+    """Raise UsageError where the graph of ``connection`` lacks one of the drafts called ``names``."""
     with connection.session() as session:
         there = {row.name for row in session.execute_read(ask, cypher.DRAFT_CONTENTS, names=sorted(names))}
     if unknown := [name for name in names if name not in there]:
@@ -110,7 +111,7 @@ def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str]) -> None
 
 
 def unknown_drafts(names: Sequence[str]) -> UsageError:
-    """Return the error that says that the graph does not have these drafts."""
+    """Return the error that says that the graph does not have the drafts called ``names``."""
     return UsageError(
         f"the graph has no draft “{'”, “'.join(sorted(names))}”",
         hint=f"A draft is named {DRAFT} and the id of its recipe: foon cypher 'MATCH (d:Draft) RETURN d.name'.",

@@ -47,7 +47,7 @@ class Edition:
     )
 
     def still(self, name: str | None) -> Edition:
-        """Return this edition where the graph has it still and it is not too large, else a new one without answers."""
+        """Return this edition where it has its ``name`` still and is not too large, else a new one without answers."""
         same = name is not None and name == self.name
         small = len(self.units) <= MOST_UNITS and len(self.matters.rows) <= MOST_MATTERS
         return self if same and small else Edition(name)

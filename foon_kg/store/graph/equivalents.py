@@ -29,10 +29,11 @@ Ask = Callable[[Mapping[str, Any]], list[EquivalentsRow]]
 def equivalents(
     connection: Connection, kitchen: Kitchen, names: Sequence[str], limit: int
 ) -> tuple[tuple[Neighbour, ...], ...] | None:
-    """Return, for each of ``names``, the ``limit`` best known foods of a graph, without all that a view of it needs.
+    """Return, for each of ``names``, the ``limit`` best known foods of the graph of ``connection``.
 
-    ``None`` where they cannot be told by points (see :func:`find_equivalents`). Raises GraphError where no FOON
-    answers, SchemaError for one of another version or written with another kitchen.
+    Nothing else is read of what a view of it needs. ``None`` where they cannot be told by points (see
+    :func:`find_equivalents`). Raises GraphError where no FOON answers, SchemaError for one of another version or
+    written with another ``kitchen``.
     """
     with connection.session() as session, session.begin_transaction() as transaction:
         check_readable(next(iter(ask_in(transaction, SCHEMA_STATE)), None), kitchen)

@@ -107,7 +107,7 @@ def _properties(part: Stage | Slot, but: str = "") -> dict[str, Any]:
 
 
 def slot_foods(frames: Iterable[Frame]) -> set[str]:
-    """Return the foods that join somewhere."""
+    """Return the foods that join somewhere in ``frames``."""
     return {slot.food for frame in frames for slot in frame.line.all_slots()}
 
 

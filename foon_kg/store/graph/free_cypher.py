@@ -84,7 +84,9 @@ def ask_freely(
     limit: int = ROW_LIMIT,
     timeout: float = TIME_LIMIT,
 ) -> Answer:
-    """Run ``text`` once, and return at most ``limit`` rows; a change that had to be ended for another's is tried again.
+    """Return what ``text`` answers on ``connection``, at most ``limit`` rows.
+
+    It is run once, with ``parameters``; a change that had to be ended for another's is tried again.
 
     Raises :class:`~foon_kg.model.errors.WriteRefused` for anything but a look at the graph (unless ``write``),
     GraphError where the text is no Cypher, fails, takes longer than ``timeout`` seconds (``timeout``; the server is

@@ -37,8 +37,8 @@ def interruptible(
     """Return the text of a question whose list expressions can be ended at each turn, and which means the same.
 
     A text that is held against a pattern may not be longer than that pattern bears (:mod:`patterns`). ``pieces`` are
-    all its pieces, spaces too; ``writing`` says that it may make nodes. Raises GraphError where a label could be read
-    as what is done in a turn.
+    all its pieces, spaces too, asked with ``parameters``; ``writing`` says that it may make nodes. Raises GraphError
+    where a label could be read as what is done in a turn.
     """
     turns = [one for it in _brackets(pieces) for one in (*_turns(pieces, it), *_long_range(pieces, it))]
     if writing:

@@ -29,7 +29,7 @@ LONGEST_ARROW = 6
 
 
 def refuse_dense_patterns(tokens: Sequence[Token]) -> None:
-    """Raise GraphError where the patterns of a question have too many relationships, or too many rings of them."""
+    """Raise GraphError where patterns in the ``tokens`` of a question have too many relationships, or rings of them."""
     joins = list(_joins(tokens))
     if len(joins) > MOST_RELATIONSHIPS:
         raise too_much(

@@ -26,12 +26,12 @@ class KeptRows:
     edition: str
 
     def read(self, statement: Statement[Row], parameters: Mapping[str, Any]) -> list[Row] | None:
-        """Return the rows that are kept for ``statement``, ``None`` where there are none."""
+        """Return the rows that are kept for ``statement`` with these ``parameters``, ``None`` where there are none."""
         body = kept.find(_FOLDER, self._asked(statement, parameters))
         return None if body is None else [statement.row(*values) for values in json.loads(body)]
 
     def write(self, statement: Statement[Row], parameters: Mapping[str, Any], rows: list[Row]) -> None:
-        """Keep ``rows`` for ``statement``, whole or not at all."""
+        """Keep the ``rows`` of ``statement`` with these ``parameters``, whole or not at all."""
         values = [[getattr(row, column) for column in _columns(statement)] for row in rows]
         body = json.dumps(values, ensure_ascii=False, separators=(",", ":"))
         kept.keep(_FOLDER, self._asked(statement, parameters), body)

@@ -14,7 +14,7 @@ _SIGHTING_FIELDS = len(dataclasses.fields(Sighting))
 
 
 def known_units(row: KnownUnitsRow) -> Iterator[KnownUnit]:
-    """Return the units, in no order, each written as its first sighting has it, as the snapshot does.
+    """Return the units of a ``row``, in no order, each written as its first sighting has it, as the snapshot does.
 
     A unit that somebody removed while the database answered comes without anything, and is left out.
     """

@@ -73,7 +73,7 @@ class Learner:
             self._ask(cypher.LOAD_FRAMES, frames=[frame_row(frame) for frame in frames])
 
     def unlearn(self, gone: Iterable[FunctionalUnit], doubtful: Collection[str]) -> None:
-        """Take away what units say that are about to go; they are among the ``doubtful``, which lost a sighting."""
+        """Take away what units ``gone`` say; they are among the ``doubtful``, which lost a sighting."""
         self._tally.count(map(lifted, gone), weight=-1)
         keys = sorted({*self._sighted, *doubtful})
         for row in self._ask(cypher.ATTESTED, keys=keys) if keys else ():

@@ -45,7 +45,7 @@ class Lifted:
 
 @lru_cache(maxsize=1 << 12)
 def operator_key(way: Way) -> str:
-    """Return the content hash under which the graph keeps an operator."""
+    """Return the content hash under which the graph keeps the operator of a ``way``."""
     return content_key(way[0], way[1])
 
 

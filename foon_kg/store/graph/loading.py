@@ -61,11 +61,12 @@ def load(
     stored: Callable[[LoadReport], None] = _say_nothing,
     units_per_transaction: int = UNITS_PER_TRANSACTION,
 ) -> LoadReport:
-    """Bring the graph to have ``subgraphs``, in few transactions; a video of a known name is replaced.
+    """Bring the graph of ``connection`` to have ``subgraphs``, in few transactions; a known name is replaced.
 
-    ``stored`` is told, first, what is there already, and after each transaction which videos are safe from then on.
-    Raises :class:`~foon_kg.model.errors.ReadError` when two subgraphs of one name differ, GraphError when the database
-    fails; what was reported as stored stays.
+    ``kitchen`` is the usual one for ``None``; a transaction has so many units (``units_per_transaction``). ``stored``
+    is told, first, what is there already, and after each transaction which videos are safe from then on. Raises
+    :class:`~foon_kg.model.errors.ReadError` when two subgraphs of one name differ, GraphError when the database fails;
+    what was reported as stored stays.
     """
     kitchen, wanted = kitchen or Kitchen.default(), distinct_by_name(subgraphs)
     with connection.session(writing=True) as session:
@@ -81,9 +82,10 @@ def load(
 
 
 def remove(connection: Connection, names: Collection[str], kitchen: Kitchen | None = None) -> None:
-    """Take videos out of the graph with everything that no other video shows, all in one transaction.
+    """Take the videos called ``names``, and what no other video shows, out of the graph of ``connection``.
 
-    Raises :class:`~foon_kg.model.errors.UsageError` when the graph lacks one of ``names``; nothing is removed then.
+    All go in one transaction; ``kitchen`` is the usual one for ``None``. Raises
+    :class:`~foon_kg.model.errors.UsageError` when the graph lacks one of ``names``; nothing is removed then.
     """
     kitchen = kitchen or Kitchen.default()
     with connection.session(writing=True) as session:
@@ -92,7 +94,7 @@ def remove(connection: Connection, names: Collection[str], kitchen: Kitchen | No
 
 
 def compare(transaction: neo4j.ManagedTransaction, wanted: Sequence[Subgraph]) -> LoadReport:
-    """Return, as ``unchanged``, which of ``wanted`` the graph has with the same content."""
+    """Return, as ``unchanged``, which of ``wanted`` the graph has with the same content, asked in ``transaction``."""
     contents = _contents(transaction, [subgraph.name for subgraph in wanted])
     return LoadReport(unchanged=tuple(s.name for s in wanted if contents.get(s.name) == s.content_key))
 

@@ -58,8 +58,9 @@ _LISTED = frozenset(name.lower() for name in PROCEDURES)
 def only_looking(text: str, parameters: Mapping[str, Any] | None = None) -> tuple[Token, ...]:
     """Return the pieces of a question as a server may get them: spaces in place of comments, each word where it was.
 
-    Raises :class:`~foon_kg.model.errors.WriteRefused` where a question does more than look at the graph, or may do so,
-    and :class:`~foon_kg.model.errors.GraphError` for a text that is too long or nested too deep to be asked.
+    ``text`` is asked with ``parameters``. Raises :class:`~foon_kg.model.errors.WriteRefused` where a question does more
+    than look at the graph, or may do so, and :class:`~foon_kg.model.errors.GraphError` for a text that is too long or
+    nested too deep to be asked.
     """
     pieces = read_pieces(text)
     tokens = asked(pieces)
@@ -78,7 +79,10 @@ def only_looking(text: str, parameters: Mapping[str, Any] | None = None) -> tupl
 
 
 def refuse_the_endless(tokens: Sequence[Token], parameters: Mapping[str, Any] | None) -> None:
-    """Raise GraphError for what a server could be at for hours and lets nobody interrupt, whoever asks it."""
+    """Raise GraphError where ``tokens``, asked with ``parameters``, could keep a server at it for hours.
+
+    Nobody can interrupt that, whoever asks it.
+    """
     refuse_hard_patterns(tokens, parameters or {})
     refuse_dense_patterns(tokens)
 

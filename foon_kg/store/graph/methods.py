@@ -32,7 +32,7 @@ Ask = Callable[[Sequence[str]], Iterable[FrameReadValue]]
 
 
 def methods_of(row: MethodsRow, goals: Iterable[Goal]) -> Methods:
-    """Return what was learnt of a FOON."""
+    """Return what was learnt of a FOON with these ``goals``, from a ``row``."""
     methods = Methods(operators_of(row), frames_of(row.frames), tuple(goals))
     vars(methods)["posts"] = posts_of(row)  # they were counted when the frames were learnt
     return methods
@@ -45,7 +45,7 @@ def frames_of(texts: Iterable[str]) -> tuple[Frame, ...]:
 
 
 def operators_of(row: MethodsRow) -> Operators:
-    """Return the operators, with all their evidence."""
+    """Return the operators of a ``row``, with all their evidence."""
     found = Operators((), tables())
     sightings = _Sightings()
     ways: list[Way] = [(motion, tuple(tools)) for motion, tools in row.operators]
@@ -98,7 +98,7 @@ def _attest(evidence: Evidence, matter: str, units: int, seen: list[Sighting]) -
 
 
 def posts_of(row: MethodsRow | MethodsCommonRow) -> Posts:
-    """Return where foods of each kind join, from the counts of the graph."""
+    """Return where foods of each kind join, from the counts in a ``row``."""
     posts = Posts((), tables())
     for kind, dish_type, work, heated, joins, count in row.posts:
         post: Post = (work, heated, joins)
@@ -130,7 +130,9 @@ class LearntDishes:
         )
 
     def layouts(self, keys: Sequence[str], ask: Ask) -> list[Layout]:
-        """Return the places of some frames, in that order; ``ask`` is asked for those that nobody looked at lately.
+        """Return the places of the frames called ``keys``, in that order.
+
+        ``ask`` is asked for those not looked at lately.
 
         One that went meanwhile is left out: who wrote then made another edition, and the question is asked anew.
         """
@@ -223,5 +225,8 @@ class CommonMethods:
         return found
 
     def methods_with(self, matters: Iterable[MatterValue], dishes: LearntDishes, ask: Ask) -> Methods:
-        """Return the methods of a question, which ``ask`` for the frames at which it looks."""
+        """Return the methods of a question about ``dishes`` and what ``matters``.
+
+        They ``ask`` for the frames at which the question looks.
+        """
         return MethodsInPart(self.operators_with(matters), self.posts, dishes, ask)

@@ -14,7 +14,7 @@ Movement = tuple[str, str, str]
 
 
 def movements(subgraphs: Iterable[Subgraph]) -> Counter[Movement]:
-    """Count how many sightings show each object of each unit moving; those that never do are not in it."""
+    """Return how many sightings in ``subgraphs`` show each object of each unit moving; none of it that never does."""
     found: Counter[Movement] = Counter()
     for annotation in (one for subgraph in subgraphs for one in subgraph.annotations):
         unit = annotation.unit
@@ -24,7 +24,10 @@ def movements(subgraphs: Iterable[Subgraph]) -> Counter[Movement]:
 
 
 def movement_rows(subgraphs: Iterable[Subgraph], weight: int = 1) -> list[dict[str, Any]]:
-    """Return what ``load_movements`` adds for sightings that come (or go: ``weight`` -1), a row a unit."""
+    """Return what ``load_movements`` adds for sightings in ``subgraphs`` that come, a row a unit.
+
+    For those that go, ``weight`` is -1.
+    """
     rows: dict[str, dict[str, Any]] = {}
     for (unit, side, node), count in sorted(movements(subgraphs).items()):
         row = rows.setdefault(unit, {"unit": unit, "inputs": [], "outputs": []})
@@ -33,6 +36,6 @@ def movement_rows(subgraphs: Iterable[Subgraph], weight: int = 1) -> list[dict[s
 
 
 def following(subgraph: Subgraph) -> Iterator[tuple[str, str, int]]:
-    """Yield the keys of each unit of a video and of the next one, and the place of the first."""
+    """Yield the keys of each unit of the video ``subgraph`` and of the next one, and the place of the first."""
     keys = [annotation.unit.key for annotation in subgraph.annotations]
     yield from ((one, other, place) for place, (one, other) in enumerate(pairwise(keys)))

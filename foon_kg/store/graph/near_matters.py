@@ -35,7 +35,10 @@ class KnownMatters:
     kinds: set[str] = field(default_factory=set)
 
     def for_foods(self, foods: Collection[str], ask: Ask) -> list[MatterValue] | None:
-        """Return the rows of all that matters to ``foods``; ``None`` where that cannot be told by points."""
+        """Return the rows of all that matters to ``foods``, which it may ``ask``.
+
+        ``None`` if points cannot tell that.
+        """
         kinds = {f"{KIND}{tables().foods.find(food)[0]}" for food in foods}
         waiting = {food: question(food) for food in sorted(foods) if food not in self.near}
         count = FIRST

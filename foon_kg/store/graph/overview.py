@@ -12,13 +12,13 @@ if TYPE_CHECKING:
 
 
 def size_of(view: GraphView) -> SizeRow:
-    """Return how large the FOON is, and its dish types."""
+    """Return how large the FOON of ``view`` is, and its dish types."""
     (row,) = view.ask(SIZE)
     return row
 
 
 def names_like(view: GraphView, text: str, folded: str, state: str, most: int) -> NamesLikeRow:
-    """Return names with a word that begins with ``text``, or that are compared by one that begins ``folded``.
+    """Return names in ``view`` with a word that begins with ``text``, or are compared by one that begins ``folded``.
 
     At most ``most`` of each way; of foods it is told whether they are seen in ``state``.
     """
@@ -27,10 +27,10 @@ def names_like(view: GraphView, text: str, folded: str, state: str, most: int) -
 
 
 def around_label(view: GraphView, label: str, most: int) -> AroundLabelRow | None:
-    """Return what is around an object, at most so many of each; ``None`` where there is no such object."""
+    """Return what is around an object ``label`` in ``view``, at most ``most`` of each; ``None`` if there is none."""
     return next(iter(view.ask(AROUND_LABEL, label=label, most=most)), None)
 
 
 def some_videos(view: GraphView, most: int) -> tuple[str, ...]:
-    """Return the names of at most ``most`` videos, sorted: those that the graph finds first."""
+    """Return the names of at most ``most`` videos of ``view``, sorted: those that the graph finds first."""
     return tuple(sorted(row.name for row in view.ask(SOME_VIDEOS, most=most)))

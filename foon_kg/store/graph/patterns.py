@@ -42,7 +42,10 @@ _ESCAPED = {"n": "\n", "r": "\r", "t": "\t", "b": "\b", "f": "\f"}
 
 
 def refuse_hard_patterns(tokens: Sequence[Token], parameters: Mapping[str, Any]) -> None:
-    """Raise GraphError where a pattern is not written down or given as a parameter, or could be at it for hours."""
+    """Raise GraphError where a pattern in ``tokens`` is neither written down nor one of ``parameters``, or too hard.
+
+    Too hard is what a server could be at for hours.
+    """
     for place in range(len(tokens) - 1):
         if (tokens[place].text, tokens[place + 1].text) == ("=", "~"):
             _judge(_pattern(tokens[place + 2 :], parameters))
@@ -79,7 +82,8 @@ def _unknown() -> GraphError:
 def bounded_texts(pieces: Sequence[Token], parameters: Mapping[str, Any]) -> Iterator[Around]:
     """Yield what is put around each text that is held against a pattern, such that a server refuses one too long.
 
-    Raises GraphError where it is not plain what that text is.
+    ``pieces`` are those of the question, asked with ``parameters``. Raises GraphError where it is not plain what that
+    text is.
     """
     places = [place for place, piece in enumerate(pieces) if piece.kind != "space"]
     tokens = [pieces[place] for place in places]

@@ -20,7 +20,7 @@ _MOST_KINDS = 4
 
 
 def unplanned(text: str) -> tuple[str, str]:
-    """Return a question with spaces in place of ``EXPLAIN`` and ``PROFILE`` before it, and that word in lower case."""
+    """Return ``text`` with spaces in place of ``EXPLAIN`` and ``PROFILE`` before it, and that word in lower case."""
     pieces = read_pieces(text)
     places = [place for place, piece in enumerate(pieces) if piece.kind != "space"]
     found = [places[one] for one in modes([pieces[place] for place in places])]
@@ -29,12 +29,12 @@ def unplanned(text: str) -> tuple[str, str]:
 
 
 def modes(tokens: Sequence[Token]) -> list[int]:
-    """Return the places of ``EXPLAIN`` and ``PROFILE`` before the question itself."""
+    """Return the places of ``EXPLAIN`` and ``PROFILE`` in ``tokens``, before the question itself."""
     return [place for place in range(begin(tokens)) if tokens[place].lower in MODES]
 
 
 def begin(tokens: Sequence[Token]) -> int:
-    """Return the place of the first word of the question itself."""
+    """Return the place in ``tokens`` of the first word of the question itself."""
     place = 0
     while place < len(tokens):
         if tokens[place].lower in MODES:
@@ -56,7 +56,7 @@ def _after_options(tokens: Sequence[Token], place: int) -> int:
 
 
 def shows_schema(tokens: Sequence[Token]) -> bool:
-    """Whether the first clause of a question shows indexes or constraints, which say nothing of the server."""
+    """Return whether the first clause of ``tokens`` shows indexes or constraints, which say nothing of the server."""
     first = begin(tokens)
     if first >= len(tokens) or tokens[first].lower != "show":
         return False

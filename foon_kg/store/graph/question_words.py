@@ -87,7 +87,7 @@ def put_around(pieces: Sequence[Token], arounds: Iterable[Around]) -> str:
 
 
 def read(text: str) -> tuple[Token, ...]:
-    """Return the pieces of a question without its spaces and comments.
+    """Return the pieces of ``text`` without its spaces and comments.
 
     Raises :class:`~foon_kg.model.errors.WriteRefused` where something hides in it, GraphError where it is too much.
     """
@@ -129,7 +129,7 @@ def _depth(tokens: Sequence[Token], signs: str) -> int:
 
 
 def partners(tokens: Sequence[Token]) -> dict[int, int]:
-    """Return where each bracket that opens is closed."""
+    """Return where each bracket that opens in ``tokens`` is closed."""
     found: dict[int, int] = {}
     open_ones: list[int] = []
     for place, token in enumerate(tokens):
@@ -141,7 +141,7 @@ def partners(tokens: Sequence[Token]) -> dict[int, int]:
 
 
 def too_much(why: str, *, hint: str = "Give long lists as parameters (-P).") -> GraphError:
-    """Return the error for a question that a server could be at for hours."""
+    """Return the error for a question that a server could be at for hours: ``why``, and a ``hint`` of what to do."""
     return GraphError(f"this question is too much to ask: {why}", hint=hint, code="too-much")
 
 

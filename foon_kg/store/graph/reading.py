@@ -116,7 +116,7 @@ class GraphView:
         return Vocabulary(tuple(foods), tuple(motions), tuple(dish_types), gatherings=gatherings)
 
     def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
-        """Return what of the vocabulary matters to a recipe that asks for ``foods``."""
+        """Return what of the vocabulary matters to a recipe for ``foods``, and to foods ``called`` by other names."""
         found = self._words_found(foods, called)
         return self.vocabulary() if found is None else found.vocabulary
 
@@ -163,7 +163,7 @@ class GraphView:
         return tuple(sorted(map(goal_of, row.goals), key=lambda goal: (goal.node.sort_key, goal.dish_type)))
 
     def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
-        """Return the ``count`` goals, or some more, that may score highest for a recipe of ``foods``."""
+        """Return the ``count`` goals of ``dish_type``, or some more, that may score highest for ``foods``."""
         asked = dish_type, tuple(sorted(set(foods))), count
         if asked not in self._edition.likely:
             self._edition.likely[asked] = self._read_likely_goals(*asked)
@@ -184,7 +184,7 @@ class GraphView:
     def behind(
         self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = (), *, most: int | None = None
     ) -> tuple[KnownUnit, ...]:
-        """Return every unit that may take part in making ``nodes`` or ``foods``, sorted by key."""
+        """Return every unit, at most ``most``, that may take part in making ``nodes`` or ``foods``, sorted by key."""
         keys = sorted({node.key for node in nodes})
         asked = [{"label": label, "state": state} for label, state in sorted(set(foods))]
         one = len(keys) == 1 and not asked
@@ -311,7 +311,7 @@ class GraphView:
         )
 
     def begin(self, kitchen: Kitchen, known: Edition) -> Edition:
-        """Return which edition this view reads: ``known``, or a new one.
+        """Return which edition this view of a ``kitchen`` reads: ``known``, or a new one.
 
         Raises SchemaError or GraphError unless the graph is a FOON that this program can read.
         """
@@ -419,7 +419,7 @@ def goal_of(row: GoalValue) -> Goal:
 
 
 def subgraph_of(row: SubgraphRow) -> Subgraph:
-    """Return the subgraph that was loaded."""
+    """Return the subgraph of a ``row``, as it was loaded."""
     return Subgraph(row.name, tuple(map(_annotation, row.units)), tuple(row.sources))
 
 

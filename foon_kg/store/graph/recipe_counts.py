@@ -38,7 +38,10 @@ class RecipeCounts:
     """By food and state."""
 
     def count(self, classes: Iterable[tuple[str, bool]], called: Sequence[tuple[str, str]], *, weight: int = 1) -> None:
-        """Count a recipe with its dish types, the sure ones marked, and its foods in their states; -1 takes it away."""
+        """Count a recipe with the ``classes`` that it may be, the sure ones marked, and foods as ``called`` in states.
+
+        A ``weight`` of -1 takes it away.
+        """
         sure = {dish_type for dish_type, is_sure in classes if is_sure}
         self.recipes += weight
         self.sure += weight if sure else 0
@@ -53,7 +56,7 @@ class RecipeCounts:
                 self.uses[food, dish_type] += weight
 
     def write(self, ask: Ask) -> None:
-        """Add all to the counts of the graph, which must have the foods and dish types."""
+        """Add all to the counts of the graph with ``ask``; it must have the foods and dish types."""
         ask(
             cypher.ADD_RECIPE_COUNTS,
             recipes=self.recipes,
@@ -66,7 +69,7 @@ class RecipeCounts:
 
 
 def take_turn(ask: Ask) -> None:
-    """Wait until no other program writes; where an earlier foon-kg stored recipes, count them first."""
+    """Wait, with ``ask``, until no other program writes; count recipes first that an earlier foon-kg stored."""
     row = next(iter(ask(cypher.RECIPES_TURN)), None)
     if row is None:
         raise GraphError("the database was emptied meanwhile", hint="Load again: that makes all that is needed anew.")
@@ -81,7 +84,7 @@ def take_turn(ask: Ask) -> None:
 
 
 def counted(transaction: neo4j.ManagedTransaction) -> RecipeCountRow:
-    """Return how many recipes there are. Raises SchemaError where they were never counted."""
+    """Return how many recipes there are in ``transaction``. Raises SchemaError where they were never counted."""
     (row,) = ask(transaction, cypher.COUNT_RECIPES)
     if not row.are_counted:
         raise SchemaError(

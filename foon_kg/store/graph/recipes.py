@@ -86,7 +86,12 @@ class StoredRecipe:
 
 
 def prepare_for_recipes(connection: Connection, kitchen: Kitchen | None = None) -> None:
-    """Apply what is missing of the schema and of counts. Raises SchemaError for a graph that a newer foon-kg wrote."""
+    """Apply what the graph of ``connection`` lacks of the schema and of counts.
+
+    ``kitchen`` is the usual one for ``None``.
+
+    Raises SchemaError for a graph that a newer foon-kg wrote.
+    """
     with connection.session(writing=True) as session:
         prepare_for_writing(session, kitchen or Kitchen.default())
         session.execute_write(_take_turn)
@@ -106,12 +111,15 @@ def load_recipes(
     version: str = "",
     recipes_per_transaction: int = RECIPES_PER_TRANSACTION,
 ) -> RecipesStored:
-    """Bring the graph to have ``recipes``; those that it has with the same content are not even read again.
+    """Bring the graph of ``connection`` to have ``recipes``.
 
-    Each transaction has so many whole recipes, and ``stored`` is told once it is safe: after a kill, the next load goes
-    on behind it. While one batch is written, the next is understood. ``version`` names the way of understanding: with
-    another one everything counts as changed. ``left_over`` is told each recipe with lines in which no food was found.
-    Needs :func:`prepare_for_recipes`. Raises GraphError when the database fails.
+    Those that it has with the same content are not read again.
+
+    Each transaction has so many whole recipes (``recipes_per_transaction``), and ``stored`` is told once it is safe:
+    after a kill, the next load goes on behind it. While one batch is written, the next is understood, by
+    ``understand``. ``version`` names the way of understanding: with another one everything counts as changed.
+    ``left_over`` is told each recipe with lines in which no food was found. Needs :func:`prepare_for_recipes`. Raises
+    GraphError when the database fails.
     """
     total, writing = RecipesStored(), None
     with ThreadPoolExecutor(max_workers=1) as writer:
@@ -136,34 +144,40 @@ def load_recipes(
 
 
 def class_counts(connection: Connection) -> list[RecipeClassRow]:
-    """Return for each dish type how many recipes it surely has, what they call for, and what of it is unseen."""
+    """Return for each dish type on ``connection`` how many recipes it surely has, and what they call for.
+
+    Of that it is told how much no unit has.
+    """
     with connection.session() as session:
         session.execute_read(counted)
         return session.execute_read(ask, cypher.RECIPE_CLASSES)
 
 
 def recipe_count(connection: Connection) -> RecipeCountRow:
-    """Return how many recipes there are, with a sure dish type and in all, and how many foods they name."""
+    """Return how many recipes ``connection`` has, with a sure dish type and in all, and how many foods they name."""
     with connection.session() as session:
         return session.execute_read(counted)
 
 
 def wanted_foods(connection: Connection, most: int) -> list[WantedFoodRow]:
-    """Return the foods that no unit has and most recipes call for, with their commonest states."""
+    """Return the ``most`` foods on ``connection`` that no unit has and most recipes call for, with commonest states."""
     with connection.session() as session:
         session.execute_read(counted)
         return session.execute_read(ask, cypher.WANTED_FOODS, most=most)
 
 
 def recipe_ids(connection: Connection, dish_type: str, partition: str = "") -> list[str]:
-    """Return the ids of the recipes that surely are a ``dish_type``, sorted."""
+    """Return the ids of the recipes on ``connection`` that surely are a ``dish_type``, of a ``partition``, sorted.
+
+    The partition (``train``, ``val``, ``test``) is any for ``""``.
+    """
     with connection.session() as session:
         rows = session.execute_read(ask, cypher.RECIPE_IDS, dish_type=dish_type, partition=partition)
     return [row.id for row in rows]
 
 
 def stored_recipe(connection: Connection, recipe_id: str) -> StoredRecipe:
-    """Return one recipe. Raises :class:`~foon_kg.model.errors.UsageError` where the graph does not have it."""
+    """Return the recipe with ``recipe_id`` on ``connection``. Raises UsageError where the graph does not have it."""
     with connection.session() as session:
         rows = session.execute_read(ask, cypher.RECIPE, id=recipe_id)
     if not rows:
@@ -173,9 +187,9 @@ def stored_recipe(connection: Connection, recipe_id: str) -> StoredRecipe:
 
 
 def recipes_after(connection: Connection, last: str = "", dish_type: str = "") -> Iterator[StoredRecipe]:
-    """Yield the recipes behind the id ``last``, by their ids: those that surely are a ``dish_type``, of all for ``""``.
+    """Yield the recipes on ``connection`` behind the id ``last``, by their ids: those that surely are a ``dish_type``.
 
-    They are read as they are asked for, some at a time.
+    They are of all dish types for ``""``, and are read as they are asked for, some at a time.
     """
     rows: list[RecipePageRow] = []
     while True:
@@ -190,7 +204,7 @@ def recipes_after(connection: Connection, last: str = "", dish_type: str = "") -
 
 
 def recipes_until(connection: Connection, last: str, dish_type: str = "") -> tuple[int, int]:
-    """Return how many recipes there are, and how many of them have an id up to ``last``."""
+    """Return how many recipes of ``dish_type`` are on ``connection``, and how many have an id up to ``last``."""
     with connection.session() as session:
         (row,) = session.execute_read(ask, cypher.RECIPES_UNTIL, last=last, dish_type=dish_type)
     return row.recipes, row.until
@@ -202,7 +216,7 @@ def _stored(recipe_id: str, row: RecipeRow | RecipePageRow) -> StoredRecipe:
 
 
 def batches(recipes: Iterable[CollectedRecipe], size: int = RECIPES_PER_TRANSACTION) -> Iterator[list[CollectedRecipe]]:
-    """Group ``recipes`` by so many, in their order."""
+    """Yield ``recipes`` in groups of ``size``, in their order."""
     waiting = iter(recipes)
     while batch := list(islice(waiting, size)):
         yield batch
@@ -240,7 +254,10 @@ def _write_batch(transaction: neo4j.ManagedTransaction, recipes: Sequence[Unders
 
 
 def write_recipes(ask: Ask, recipes: Sequence[UnderstoodRecipe], version: str) -> None:
-    """Write ``recipes`` with their counts: in one transaction, or into what is staged for an import."""
+    """Write ``recipes`` with their counts: in one transaction, or into what is staged for an import, as ``ask`` does.
+
+    ``version`` names the way in which they were understood.
+    """
     take_turn(ask)
     counts = RecipeCounts()
     for held in ask(cypher.RECIPES_HELD, ids=[one.recipe.id for one in recipes]):

@@ -18,7 +18,7 @@ _log = logging.getLogger(__name__)
 
 
 def keep_trees(connection: Connection, trees: Sequence[RetrievedTree]) -> bool:
-    """Keep ``trees`` in one transaction, and say whether that could be done.
+    """Keep ``trees`` in one transaction of ``connection``, and return whether that could be done.
 
     Whoever may only read, or comes while a load holds the goal, keeps nothing: the question has been answered, and what
     is kept only spares the next one a search.

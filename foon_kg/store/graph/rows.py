@@ -428,29 +428,32 @@ def row_of(node: ObjectNode) -> NodeRow:
 def unit_of(
     verb: str, inputs: Iterable[NodeRow], outputs: Iterable[NodeRow], seen: Properties, *, accepts_any: bool
 ) -> FunctionalUnit:
-    """Return the unit as one video has it."""
+    """Return the unit ``verb`` as one video has it, with its ``inputs``, its ``outputs`` and how it was ``seen``.
+
+    ``accepts_any`` says that it may take any number of inputs.
+    """
     ins, outs = _participants(inputs, seen, "inputs"), _participants(outputs, seen, "outputs")
     return FunctionalUnit(ins, verb, outs, accepts_any)
 
 
 def bare_unit_of(row: UnitRow) -> FunctionalUnit:
-    """Return the unit without anything that a video says about it."""
+    """Return the unit of a ``row`` without anything that a video says about it."""
     inputs, outputs = (tuple(Participant(node_of(node)) for node in side) for side in (row.inputs, row.outputs))
     return FunctionalUnit(inputs, row.verb, outputs, row.accepts_any)
 
 
 def timing_of(seen: Properties) -> Timing:
-    """Return the time that :func:`properties_of` wrote."""
+    """Return the time in the properties with which a unit was ``seen``, as :func:`properties_of` wrote it."""
     return Timing(tuple(zip(seen["span_starts"], seen["span_ends"], strict=True)), seen["assumed"])
 
 
 def measures_of(amounts: Sequence[str] | None, seconds: float | None, celsius: float | None) -> Measures:
-    """Return the measures that :func:`properties_of` wrote."""
+    """Return ``amounts``, ``seconds`` and ``celsius`` as measures, as :func:`properties_of` wrote them."""
     return Measures(tuple(amounts or ()), seconds, celsius)
 
 
 def properties_of(annotation: Annotation, position: int) -> Properties:
-    """Return what the ``SEEN_IN`` edge of ``annotation`` keeps."""
+    """Return what the ``SEEN_IN`` edge of ``annotation`` at a ``position`` (from 0) keeps."""
     unit, timing, measures = annotation.unit, annotation.timing, annotation.measures
     return {
         "position": position,
@@ -484,6 +487,6 @@ def _participants(rows: Iterable[NodeRow], seen: Properties, side: str) -> tuple
 
 
 def order(row: NodeRow) -> tuple[object, ...]:
-    """Return the order that ranks count in; no two nodes are equal in it."""
+    """Return the order of a ``row`` that ranks count in; no two nodes are equal in it."""
     label, states, ingredients, relation, container = row
     return (label, states, ingredients, relation is not None, relation or "", container is not None, container or "")

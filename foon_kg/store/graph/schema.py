@@ -38,12 +38,15 @@ def schema_version() -> int:
 
 
 def kitchen_key(kitchen: Kitchen) -> str:
-    """Return a hash of everything that decides what is at hand and what is a utensil, and of what is counted."""
+    """Return a hash of all in ``kitchen`` that decides what is at hand, what is a utensil, and what is counted."""
     return content_key(_COUNTED, *(_sorted(getattr(kitchen, field.name)) for field in dataclasses.fields(kitchen)))
 
 
 def check_readable(state: SchemaState | None, kitchen: Kitchen) -> None:
-    """Raise SchemaError unless a graph in ``state`` answers this program rightly, GraphError where there is none."""
+    """Raise SchemaError unless a graph in ``state`` answers a program with this ``kitchen`` rightly.
+
+    Raises GraphError where there is none.
+    """
     if check_schema(state).kitchen != kitchen_key(kitchen):
         raise SchemaError(
             "the graph was written with another kitchen: other utensils or start states, or by an earlier foon-kg",
@@ -65,7 +68,10 @@ def check_schema(state: SchemaState | None) -> SchemaState:
 
 
 def prepare_for_writing(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
-    """Apply what is missing of the schema and return the state of the graph. Raises SchemaError for a newer one."""
+    """Apply what is missing of the schema in ``session``, and return the state of the graph, written with ``kitchen``.
+
+    Raises SchemaError for a newer one.
+    """
     for _ in range(_TRIES - 1):
         try:
             return _up_to_date(session, kitchen)
@@ -90,7 +96,7 @@ def _up_to_date(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
 
 
 def read_state(session: neo4j.Session) -> SchemaState | None:
-    """Return what the graph says about itself, or ``None``."""
+    """Return what the graph of a ``session`` says about itself, or ``None``."""
     return next(iter(session.execute_read(ask, SCHEMA_STATE)), None)
 
 

@@ -130,7 +130,7 @@ class Ask(Protocol):
 
 
 def ask(transaction: Transaction | ManagedTransaction, statement: Statement[Row], **parameters: object) -> list[Row]:
-    """Run ``statement`` in one round trip and return its rows."""
+    """Run ``statement`` in ``transaction``, in one round trip, and return its rows."""
     _log.debug("%s", statement.name)
     result = transaction.run(named_query(statement.name).text, parameters)
     return [statement.row(*record.values()) for record in result]

@@ -19,12 +19,15 @@ def operators(plan: Mapping[str, Any]) -> Iterator[tuple[int, Mapping[str, Any]]
 
 
 def name_and_details(step: Mapping[str, Any]) -> tuple[str, str]:
-    """Return what an operator is called, and what it is about."""
+    """Return what the operator of a ``step`` is called, and what it is about."""
     return str(step.get("operatorType", "")).partition("@")[0], str(step.get("args", {}).get("Details", ""))
 
 
 def rows_of(plan: Mapping[str, Any], *, profiled: bool) -> Iterator[tuple[Any, ...]]:
-    """Yield the row of each operator; one below another is indented."""
+    """Yield the row of each operator of a ``plan``, with what it took where ``profiled``.
+
+    One below another is indented.
+    """
     for depth, step in operators(plan):
         name, details = name_and_details(step)
         estimated = step.get("args", {}).get("EstimatedRows")

@@ -14,9 +14,10 @@ from foon_kg.store.graph.statements import SCHEMA_STATE, VIDEO_CONTENTS, ask
 
 
 def all_there(connection: Connection, contents: Mapping[str, str], kitchen: Kitchen) -> bool:
-    """Say whether the graph has these videos with these hashes, written as this program would write them.
+    """Return whether the graph of ``connection`` has videos of these ``contents`` (hashes by name).
 
-    Nothing is raised for a graph that is not so: a load tells that.
+    They must be written as this program would write them with this ``kitchen``. Nothing is raised for a graph that is
+    not so: a load tells that.
     """
     with connection.session(writing=True) as session, session.begin_transaction() as transaction:
         state = next(iter(ask(transaction, SCHEMA_STATE)), None)

@@ -19,9 +19,10 @@ FOODS = ("onion", "egg", "olive oil")
 
 
 def warm(settings: ConnectionSettings) -> None:
-    """Ask every question of a plan a few times. An empty database warms up too; an unreachable one is left alone.
+    """Ask the Neo4j of these ``settings`` every question of a plan a few times.
 
-    So is one that holds something else, or a FOON that was imported and is not finished yet.
+    An empty database warms up too; an unreachable one is left alone. So is one that holds something else, or a FOON
+    that was imported and is not finished yet.
     """
     try:
         with (

@@ -30,10 +30,11 @@ class WeightsReport:
 
 
 def load_weights(connection: Connection, costs: MotionCosts, kitchen: Kitchen | None = None) -> WeightsReport:
-    """Make ``costs`` the weights of the graph, in one transaction; those from before are forgotten.
+    """Make ``costs`` the weights of the graph of ``connection``, in one transaction; those from before are forgotten.
 
-    Units that are loaded later get theirs from the same table. Loading it again changes nothing. Raises GraphError
-    where there is no FOON or the database fails, SchemaError for a FOON of another version; nothing is changed then.
+    Units that are loaded later get theirs from the same table. Loading it again changes nothing. ``kitchen`` is the
+    usual one for ``None``. Raises GraphError where there is no FOON or the database fails, SchemaError for a FOON of
+    another version; nothing is changed then.
     """
     with connection.session(writing=True) as session:
         rows = session.execute_write(_write, costs, kitchen or Kitchen.default())

@@ -49,7 +49,7 @@ class Writer:
         self.state = next(iter(self._ask(cypher.WRITING_TURN)), None)
 
     def add(self, subgraphs: Sequence[Subgraph]) -> None:
-        """Write videos of which the graph has no sightings (any more)."""
+        """Write the videos ``subgraphs``, of which the graph has no sightings (any more)."""
         if not subgraphs:
             return
         units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
@@ -76,7 +76,7 @@ class Writer:
             self._learner.forget(names)
 
     def drop_videos(self, names: Sequence[str]) -> None:
-        """Take away forgotten videos."""
+        """Take away the forgotten videos called ``names``."""
         self._ask(cypher.FORGET_VIDEOS, names=names)
 
     def finish(self) -> None:
@@ -111,11 +111,14 @@ class Writer:
         self.record(methods_key())
 
     def forget_methods(self, most: int) -> bool:
-        """Take away some of what was learnt; say whether there was any."""
+        """Take away some of what was learnt, at ``most`` so many nodes; return whether there was any."""
         return any(row.gone for row in self._ask(cypher.FORGET_METHODS, most=most))
 
     def learn(self, names: Sequence[str]) -> None:
-        """Learn from videos that are there, and from their units, of which some may be learnt from already."""
+        """Learn from the videos called ``names``, which are there, and from their units.
+
+        Some of these may be learnt from already.
+        """
         subgraphs = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
         units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
         rows = self._ask(cypher.ATTESTED, keys=sorted(units))
@@ -126,7 +129,7 @@ class Writer:
         self._write_vectors()
 
     def record(self, methods: str) -> None:
-        """Write down with which kitchen the graph is written, and by what its operators and frames were learnt."""
+        """Write down which kitchen the graph is written with, and by which ``methods`` it was learnt from."""
         kitchen = kitchen_key(self._kitchen)
         self._ask(cypher.SCHEMA_RECORD, version=schema_version(), kitchen=kitchen, methods=methods)
 

@@ -20,7 +20,10 @@ _RECORD = ("name:string", "version:long", "kitchen:string", "words:string", "met
 
 
 def write_csv_files(staged: Staged, folder: Path, kitchen: Kitchen) -> list[str]:
-    """Write a file for each table into ``folder``, and return the arguments of the import that name them."""
+    """Write a file for each table of what is ``staged`` into ``folder``, and return the arguments of the import.
+
+    They name the files. ``kitchen`` tells foods from utensils.
+    """
     arguments = [*FORMAT, "--id-type=integer"]
     with explain_os_error(f"cannot write to {folder}"):
         for table in (*NODES, *EDGES):

@@ -48,7 +48,7 @@ class Database:
         self.close()
 
     def one(self, table: str, properties: Mapping[str, Any]) -> int:
-        """Make one node, and return its number."""
+        """Make one node in ``table`` with these ``properties``, and return its number."""
         columns = [named(column) for column in nodes_of(table).columns]
         cells = [cell(properties.get(name)) for name in columns]
         marks = ", ".join("?" * (1 + len(cells)))
@@ -56,7 +56,7 @@ class Database:
         return number or 0
 
     def insert(self, table: str, rows: Iterable[Sequence[Any]]) -> None:
-        """Make nodes or edges that are not there yet."""
+        """Make nodes or edges in ``table`` of ``rows`` that are not there yet."""
         made = _TABLES[table]
         columns = (*_keys(made), *(named(column) for column in made.columns))
         marks = ", ".join("?" * len(columns))
@@ -64,7 +64,7 @@ class Database:
         self.database.executemany(f"INSERT OR IGNORE INTO {table} ({names}) VALUES ({marks})", rows)
 
     def new(self, table: str, rows: Iterable[Sequence[Any]]) -> Iterator[tuple[str, int]]:
-        """Make nodes that are not there yet, and yield the key and number of each that was not."""
+        """Make nodes in ``table`` of ``rows`` that are not there yet, and yield the key and number of each of these."""
         columns = [named(column) for column in nodes_of(table).columns]
         marks, names = ", ".join("?" * len(columns)), ", ".join(f'"{column}"' for column in columns)
         cursor, text = self.database.cursor(), f"INSERT OR IGNORE INTO {table} ({names}) VALUES ({marks})"
@@ -73,23 +73,26 @@ class Database:
                 yield row[0], cursor.lastrowid or 0
 
     def merged(self, table: str, names: Iterable[str]) -> dict[str, int]:
-        """Return the numbers of words, which are made where they are not there yet."""
+        """Return the numbers of ``names`` in a ``table`` of words, which are made where they are not there yet."""
         wanted = sorted(set(names))
         self.database.executemany(f"INSERT OR IGNORE INTO {table} (name) VALUES (?)", ((name,) for name in wanted))
         return self.ids(table, wanted)
 
     def ids(self, table: str, keys: Iterable[str]) -> dict[str, int]:
-        """Return the numbers of those nodes that are there, by their keys."""
+        """Return the numbers of those nodes of ``table`` that are there, by their ``keys``."""
         return dict(self.found(table, NUMBER, keys))
 
     def found(self, table: str, column: str, keys: Iterable[str]) -> list[tuple[str, Any]]:
-        """Return the key and one column of those nodes that are there."""
+        """Return the key and one ``column`` of those nodes of ``table`` with ``keys`` that are there."""
         key = named(nodes_of(table).columns[0])
         text = f'SELECT t."{key}", t."{column}" FROM json_each(?) asked JOIN {table} t ON t."{key}" = asked.value'
         return self.database.execute(text, (json.dumps(list(keys)),)).fetchall()
 
     def count(self, table: str, rows: Rows, start: str, end: str, more: str = "") -> None:
-        """Add to counts between the nodes that the columns ``start`` and ``end`` name."""
+        """Add the ``rows`` to counts in ``table`` between the nodes that the columns ``start`` and ``end`` name.
+
+        ``more`` is one further column by which edges are told apart, if there is one.
+        """
         edges = edges_of(table)
         starts = self._ends(edges.start, {row[start] for row in rows})
         ends = self._ends(edges.end, {row[end] for row in rows})
@@ -101,14 +104,14 @@ class Database:
         return self.merged(label, names) if label in {"State", "Utensil"} else self.ids(label, names)
 
     def add(self, table: str, rows: Iterable[Sequence[Any]], *counts: str) -> None:
-        """Add to the columns ``counts`` of edges, which are made where they are not there yet."""
+        """Add ``rows`` to the columns ``counts`` of edges in ``table``, which are made where they are not there yet."""
         marks = ", ".join("?" * (2 + len(edges_of(table).columns)))
         sums = ", ".join(f'"{name}" = "{name}" + excluded."{name}"' for name in counts)
         self.database.executemany(f"INSERT INTO {table} VALUES ({marks}) ON CONFLICT DO UPDATE SET {sums}", rows)
 
 
 def nodes_of(name: str) -> Nodes:
-    """Return the table of a label."""
+    """Return the table of the label ``name``."""
     table = _TABLES[name]
     if not isinstance(table, Nodes):
         raise TypeError(name)
@@ -116,7 +119,7 @@ def nodes_of(name: str) -> Nodes:
 
 
 def edges_of(name: str) -> Edges:
-    """Return the table of a type of relationship between two labels."""
+    """Return the table ``name`` of a type of relationship between two labels."""
     table = _TABLES[name]
     if not isinstance(table, Edges):
         raise TypeError(name)
@@ -155,7 +158,7 @@ def cell(value: object) -> str | int | None:
 
 
 def joined(values: Sequence[object]) -> str | None:
-    """Return a list as one text, an empty one as nothing."""
+    """Return the list of ``values`` as one text, an empty one as nothing."""
     return LIST_DELIMITER.join([one if isinstance(one, str) else str(cell(one)) for one in values]) or None
 
 

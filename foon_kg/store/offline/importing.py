@@ -62,7 +62,7 @@ class ImportReport:
 
     @contextmanager
     def timed(self, part: str) -> Iterator[None]:
-        """Write down how long the block takes."""
+        """Write down how long (s) the block takes, which does a ``part`` of the work."""
         started = time.monotonic()
         yield
         self.seconds[part] = round(time.monotonic() - started, 1)
@@ -78,9 +78,9 @@ def load_offline(
 ) -> ImportReport:
     """Make ``subgraphs`` the FOON of the local server, which is then up; only a part of them is in memory at a time.
 
-    ``told`` hears how many videos were read. ``beside`` stages what comes with them once all are staged
-    (:func:`~foon_kg.store.offline.staging.stage_recipes`). Raises UsageError where ``NEO4J_URI`` names another Neo4j,
-    and where the server holds anything, unless that shall be replaced (``replace``).
+    ``say`` hears what is done in words, ``told`` how many videos were read. ``beside`` stages what comes with them once
+    all are staged (:func:`~foon_kg.store.offline.staging.stage_recipes`). Raises UsageError where ``NEO4J_URI`` names
+    another Neo4j, and where the server holds anything, unless that shall be replaced (``replace``).
     """
     _refuse_another_server()
     place, kitchen, report = home(), Kitchen.default(), ImportReport()

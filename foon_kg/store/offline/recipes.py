@@ -24,7 +24,10 @@ class StagedRecipes(Database):
         return [RecipesTurnRow(self.recipes[0] if self.recipes else 0)]
 
     def recipes_held(self, ids: Sequence[str]) -> list[RecipeHeldRow]:
-        """Return nothing. Raises ValueError where some are staged already: a collection has each recipe once."""
+        """Return nothing.
+
+        Raises ValueError where some of ``ids`` are staged already: a collection has each recipe once.
+        """
         if twice := self.ids("Recipe", ids):
             raise ValueError(f"staged already: {', '.join(sorted(twice))}")
         return []
@@ -48,7 +51,10 @@ class StagedRecipes(Database):
 
     def add_recipe_counts(self, *, recipes: int, sure: int, dish_types: Rows, foods: Rows, uses: Rows,
                           states: Rows) -> None:  # fmt: skip
-        """Add to the counts of recipes."""
+        """Add to the counts of ``recipes``, of which ``sure`` many have a sure dish type.
+
+        ``dish_types``, ``foods``, ``uses`` (of a food in a dish type) and ``states`` are rows with a count each.
+        """
         counted = self.recipes or (0, 0)
         self.recipes = (counted[0] + recipes, counted[1] + sure)
         for table, key, rows in (("DishType", "dish_type", dish_types), ("Ingredient", "food", foods)):

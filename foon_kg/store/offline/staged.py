@@ -74,7 +74,7 @@ class Staged(StagedRecipes):
         return [KeyRow(key) for key in new]
 
     def load_sightings(self, sightings: Rows) -> None:
-        """Write down where units were seen."""
+        """Write down the ``sightings``: where units were seen."""
         motions = self.ids("Motion", {row["unit"] for row in sightings})
         videos = self.ids("Video", {row["video"] for row in sightings})
         columns = [named(column) for column in edges_of("Motion_SEEN_IN_Video").columns]
@@ -95,7 +95,7 @@ class Staged(StagedRecipes):
         self.insert("Motion_NEXT_Motion", pairs)
 
     def load_movements(self, rows: Rows) -> None:
-        """Count sightings that show the objects of units moving."""
+        """Count sightings that show the objects of units moving, a row (``rows``) a unit."""
         motions = self.ids("Motion", {row["unit"] for row in rows})
         objects = self.ids("Object", {one["key"] for row in rows for one in (*row["inputs"], *row["outputs"])})
         for side, table, motion, other in (
@@ -119,21 +119,21 @@ class Staged(StagedRecipes):
         self.insert("Object_MADE_OF_Ingredient", pairs)
 
     def count_foods(self, rows: Rows) -> None:
-        """Add to the counts of foods in states."""
+        """Add ``rows`` to the counts of foods in states."""
         foods = self.merged("Ingredient", {row["label"] for row in rows})
         states = self.merged("State", {row["state"] for row in rows})
         counts = ((foods[row["label"]], states[row["state"]], row["made"], row["used"]) for row in rows)
         self.add("Ingredient_SEEN_AS_State", counts, "made", "used")
 
     def count_motions(self, rows: Rows) -> None:
-        """Add to the counts of states by verb."""
+        """Add ``rows`` to the counts of states by verb."""
         states = self.merged("State", {row["state"] for row in rows})
         verbs = self.merged("Verb", {row["motion"] for row in rows})
         counts = ((states[row["state"]], verbs[row["motion"]], row["count"]) for row in rows)
         self.add("State_MADE_BY_Verb", counts, "count")
 
     def count_verbs(self, rows: Rows) -> None:
-        """Add to the counts of units by verb."""
+        """Add ``rows`` to the counts of units by verb."""
         self.merged("Verb", {row["motion"] for row in rows})
         self.database.executemany(
             "UPDATE Verb SET units = coalesce(units, 0) + ?, several = coalesce(several, 0) + ? WHERE name = ?",
@@ -141,7 +141,7 @@ class Staged(StagedRecipes):
         )
 
     def load_matters(self, foods: Rows, kinds: Sequence[str], forms: Sequence[str], anything: Sequence[str]) -> None:
-        """Make what operators are done to, where it is not there yet."""
+        """Make what operators are done to, where it is not there: ``foods``, ``kinds``, ``forms``, ``anything``."""
         rows: list[tuple[str, str | None, str | None]] = [(row["name"], row["kind"], "Food") for row in foods]
         rows += [(name, None, "Kind") for name in kinds]
         rows += [(name, None, "Form") for name in forms]
@@ -161,7 +161,7 @@ class Staged(StagedRecipes):
         self.insert("Operator_ATTESTED_BY_Motion", ties)
 
     def attested(self, keys: Sequence[str]) -> list[AttestedRow]:
-        """Return what units attest."""
+        """Return what the units called ``keys`` attest."""
         rows = self.database.execute(
             "SELECT m.key, o.key, a.done_to, a.changes FROM json_each(?) k JOIN Motion m ON m.key = k.value "
             f'JOIN Operator_ATTESTED_BY_Motion a ON a."{END}" = m.{NUMBER} JOIN Operator o ON o.{NUMBER} = a."{START}"',
@@ -170,7 +170,7 @@ class Staged(StagedRecipes):
         return [AttestedRow([(unit, way, split(done), split(changes)) for unit, way, done, changes in rows])]
 
     def evidence(self, pairs: Rows) -> list[EvidenceRow]:
-        """Return the evidence that is kept for operators and matters."""
+        """Return the evidence that is kept for ``pairs`` of an operator and a matter."""
         asked = [(row["operator"], name) for row in pairs for name in row["matters"]]
         rows = self.database.execute(
             "SELECT o.key, m.name, d.seen, d.changes FROM json_each(?) p "
@@ -182,7 +182,7 @@ class Staged(StagedRecipes):
         return [EvidenceRow([(way, matter, split(seen), split(changes)) for way, matter, seen, changes in rows])]
 
     def load_evidence(self, rows: Rows) -> None:
-        """Add to the counts of what operators are done to, and write down where that was first seen."""
+        """Add ``rows`` to the counts of what operators are done to, and write down where that was first seen."""
         operators = self.ids("Operator", {row["operator"] for row in rows})
         matters = self.ids("Matter", {row["matter"] for row in rows})
         self.database.executemany(
@@ -197,11 +197,15 @@ class Staged(StagedRecipes):
         )  # fmt: skip
 
     def usual_foods(self, rows: Rows) -> None:
-        """Leave it to :meth:`finish`: what is most often done to what is known at the end."""
+        """Leave ``rows`` to :meth:`finish`: what is most often done to what is known at the end."""
 
     def count_operators(self, *, operators: Rows, gives: Rows, brings: Rows, places: Rows, appliances: Rows,
                         states: Rows) -> None:  # fmt: skip
-        """Add to the counts of operators, and of the states in which matters are."""
+        """Add to the counts of ``operators``, and of the ``states`` in which matters are.
+
+        ``gives``, ``brings``, ``places`` and ``appliances`` are rows with a count each: which state an operator gives,
+        what it brings along, where it is done and with which appliance.
+        """
         self.database.executemany(
             "UPDATE Operator SET count = count + ? WHERE key = ?",
             [(row["count"], row["operator"]) for row in operators],
@@ -213,7 +217,7 @@ class Staged(StagedRecipes):
         self.count("Matter_FOUND_AS_State", states, "matter", "state")
 
     def count_joins(self, posts: Rows, beside: Rows, cooked: Rows) -> None:
-        """Add to the counts of where foods of a kind join, beside what, and how they are cooked before."""
+        """Add to the counts of where foods of a kind join (``posts``), ``beside`` what, and how ``cooked`` before."""
         made = {row["post"]: row["properties"] for row in posts}
         rows = ((name, post["work"], post["heated"], cell(post["joins"])) for name, post in made.items())
         self.insert("Post", rows)
@@ -253,7 +257,7 @@ class Staged(StagedRecipes):
         return [NameRow(name) for name in {name for name, known in (*ingredients, *matters) if known is None}]
 
     def load_vectors(self, rows: Rows) -> None:
-        """Give foods their points and the names that they are compared by."""
+        """Give foods their points and the names that they are compared by, a row (``rows``) a food."""
         cells = [(row["canonical"], row["singular"], cell(row["vector"]), row["name"]) for row in rows]
         self.database.executemany("UPDATE Ingredient SET canonical = ?, singular = ?, vector = ? WHERE name = ?", cells)
         self.database.executemany(

@@ -63,9 +63,9 @@ def stage_recipes(
     stored: Callable[[RecipesStored], None] = lambda _: None,
     left_over: Callable[[UnderstoodRecipe], None] = lambda _: None,
 ) -> RecipesStored:
-    """Write ``recipes``, of which only a part is in memory at a time; each id comes once.
+    """Write ``recipes`` into what is ``staged``, of which only a part is in memory at a time; each id comes once.
 
-    ``stored``, ``left_over`` and ``version``: see :func:`~foon_kg.store.graph.recipes.load_recipes`.
+    ``understand``, ``stored``, ``left_over`` and ``version``: see :func:`~foon_kg.store.graph.recipes.load_recipes`.
     """
     total = RecipesStored()
     for batch in recipe_batches(recipes):

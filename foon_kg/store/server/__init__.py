@@ -43,7 +43,10 @@ def __getattr__(name: str) -> object:
 
 
 def connection_settings(say: Callable[[str], None] = lambda _message: None) -> ConnectionSettings:
-    """Return how to reach the graph: the Neo4j that the environment names, else the local one, started if need be."""
+    """Return how to reach the graph: the Neo4j that the environment names, else the local one, started if need be.
+
+    ``say`` hears what is done for that.
+    """
     named = connection_from_environment()
     if named is not None:
         return named

@@ -42,7 +42,7 @@ def neo4j_conf(port: int) -> str:
 
 
 def write_configuration(home: Home, port: int) -> None:
-    """Put neo4j.conf where the server looks for it."""
+    """Put the neo4j.conf of a server on ``port`` where the server of ``home`` looks for it."""
     with explain_os_error(f"cannot write {home.configuration}"):
         write_private(home.configuration / "neo4j.conf", neo4j_conf(port))
 

@@ -24,7 +24,7 @@ def exchange(place: Home, made: Home) -> None:
 
 
 def restore(place: Home) -> None:
-    """Bring a home in order in which an :func:`exchange` was cut off: back, or to its end where that was near."""
+    """Bring the home ``place`` in order where an :func:`exchange` was cut off: back, or to its end if that was near."""
     if not place.data_before.exists():
         return
     with explain_os_error(f"cannot restore {place.data} from {place.data_before}"):

@@ -77,7 +77,11 @@ def _fetch_all(jars: Sequence[Jar], folder: Path, sources: Sequence[str], advanc
 
 
 def fetch_one(jar: Jar, folder: Path, sources: Sequence[str], advance: Advance = lambda _: None) -> None:
-    """Bring one jar into ``folder``: continue its ``.part`` file, verify it, then give it its name in one step."""
+    """Bring one ``jar`` into ``folder`` from the first of ``sources`` that has it.
+
+    Its ``.part`` file is continued and verified, and then gets its name in one step. ``advance`` hears how many bytes
+    came.
+    """
     part = folder / f"{jar.name}.part"
     advance(part.stat().st_size if part.exists() else 0)
     for attempt in range(1, TRIES + 1):

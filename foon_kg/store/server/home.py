@@ -118,7 +118,10 @@ class Home:
 
     @contextmanager
     def locked(self, say: Say = silent) -> Iterator[None]:
-        """Hold the home against every other foon command that would start or stop the server."""
+        """Hold the home against every other foon command that would start or stop the server.
+
+        ``say`` hears that another one is waited for.
+        """
         self.create()
         lock = FileLock(self.root / "run" / "lock")
         try:
@@ -150,7 +153,7 @@ class Home:
                 return None
 
     def remember(self, memory: Memory) -> None:
-        """Write down what the next command has to know."""
+        """Write down the ``memory``: what the next command has to know."""
         with explain_os_error(f"cannot write {self.memory_file}"):
             write_private(self.memory_file, json.dumps(asdict(memory)) + "\n")
 

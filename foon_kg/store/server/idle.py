@@ -62,7 +62,7 @@ class Visit:
 
 
 def visit(settings: ConnectionSettings) -> Visit | None:
-    """Look at the connections of a running server; None when it does not answer, busy or about to end."""
+    """Return the connections of the running server of these ``settings``; None if it does not answer, or is to end."""
     import neo4j  # noqa: PLC0415 - slow to import
     from neo4j.exceptions import DriverError, Neo4jError  # noqa: PLC0415 - the same
 
@@ -83,7 +83,10 @@ def visit(settings: ConnectionSettings) -> Visit | None:
 
 
 def watch(place: Home, server: psutil.Process, settings: ConnectionSettings) -> None:
-    """Follow one server until it ends; end it when it has been idle for as long as its home remembers."""
+    """Follow the ``server`` of the home ``place`` until it ends; end it when it has been idle as long as remembered.
+
+    ``settings`` say how to reach it.
+    """
     before, used, quiet = None, time.monotonic(), False
     while known := _memory_of(place, server):
         limit = known.idle_minutes * 60
@@ -144,7 +147,7 @@ def _start_again(place: Home, server: psutil.Process, asked: str) -> bool:
 
 
 def main(root: str, pid: str) -> None:
-    """Watch the server that the arguments name; after another watcher of this home, if there is one."""
+    """Watch the server ``pid`` of the home at ``root``; after another watcher of this home, if there is one."""
     os.nice(NICE)
     place = Home(Path(root))
     with FileLock(place.watch_lock):

@@ -76,7 +76,7 @@ def pinned() -> JarSet:
 
 
 def from_json(record: dict[str, Any]) -> JarSet:
-    """Read the content of a ``jars.json``."""
+    """Return the content of a ``jars.json``, read as ``record``."""
     return JarSet(record["version"], tuple(Jar(**jar) for jar in record["jars"]))
 
 

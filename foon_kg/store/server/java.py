@@ -64,9 +64,10 @@ def java_version() -> str:
 
 
 def write_arguments(file: Path, class_path: Sequence[Path], flags: Sequence[str], main: Sequence[str]) -> list[str]:
-    """Write a Java argument file and return the command that uses it.
+    """Write a Java argument ``file`` and return the command that uses it.
 
-    A file has no limit of length, and what it says (a password, say) is not shown to other users by ``ps``.
+    ``class_path`` and ``flags`` are Java's, ``main`` is the class with its arguments. A file has no limit of length,
+    and what it says (a password, say) is not shown to other users by ``ps``.
     """
     words = [*FLAGS, *flags, "-cp", os.pathsep.join(map(str, class_path)), *main]
     draft = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
@@ -82,9 +83,10 @@ def run_admin(
     words: Sequence[str],
     variables: Mapping[str, str] = MappingProxyType({}),
 ) -> None:
-    """Run a ``neo4j-admin`` command on the home ``root`` and wait for it; raises ServerError with what it said.
+    """Run the ``neo4j-admin`` command ``words`` on the home ``root`` and wait for it; raises ServerError as it said.
 
-    Some commands start a Java of their own: that has the environment, with ``variables``, but not our flags.
+    ``file`` has Java's arguments, with the ``class_path``. Some commands start a Java of their own: that has the
+    environment, with ``variables``, but not our flags.
     """
     command = write_arguments(file, class_path, ["-XX:TieredStopAtLevel=1"], [ADMIN_CLASS, *words])
     environment = os.environ | {"NEO4J_HOME": str(root), "NEO4J_CONF": str(root / "conf")} | dict(variables)

@@ -24,9 +24,10 @@ from foon_kg.store.settings import ConnectionSettings
 def launched(
     place: Home, port: int, jar_set: JarSet, folder: Path, flags: Sequence[str]
 ) -> Iterator[tuple[subprocess.Popen[bytes], ConnectionSettings]]:
-    """Configure a home and start Neo4j on it from the jars in ``folder``; it does not answer yet.
+    """Configure the home ``place`` and start Neo4j on it from the jars in ``folder``; it does not answer yet.
 
-    The process is ended if the block raises, Ctrl-C included: no half-started server stays.
+    It listens on ``port``; ``jar_set`` says what its jars are, ``flags`` are Java's. The process is ended if the block
+    raises, Ctrl-C included: no half-started server stays.
     """
     class_path = jar_set.class_path(folder)
     write_configuration(place, port)
@@ -68,7 +69,10 @@ def _interrupts_held() -> Iterator[Callable[[], None]]:
 
 
 def set_password(place: Home, class_path: Sequence[Path]) -> None:
-    """Give a home that was never started its random password; Neo4j accepts it only then."""
+    """Give the home ``place``, if it was never started, its random password; Neo4j accepts it only then.
+
+    ``class_path`` are the jars of the program that sets it.
+    """
     if place.databases.exists():
         return
     with explain_os_error(f"cannot write {place.password_file}"):

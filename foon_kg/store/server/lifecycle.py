@@ -19,7 +19,10 @@ from foon_kg.store.settings import ConnectionSettings
 
 
 def ensure_running(say: Say = silent) -> ConnectionSettings:
-    """Return how to reach the local server; starts it if it is not up, with the idle time and port it had before."""
+    """Return how to reach the local server; starts it if it is not up, with the idle time and port it had before.
+
+    ``say`` hears what is done.
+    """
     return start(say=say)
 
 
@@ -33,8 +36,8 @@ def start(
     """Start the local server, or find that it runs, and return how to reach it.
 
     ``port`` is kept for later starts; without one a free port is chosen once. ``idle_minutes`` without use, and the
-    server stops by itself (0: never). ``after_start`` is called once a server that this call started has answered.
-    Raises ServerError: see its codes in ``fetch``, ``disk`` and ``process``.
+    server stops by itself (0: never). ``say`` hears what is done; ``after_start`` is called once a server that this
+    call started has answered. Raises ServerError: see its codes in ``fetch``, ``disk`` and ``process``.
     """
     place = home()
     with place.locked(say):
@@ -47,9 +50,11 @@ def start(
 def start_locked(
     place: Home, say: Say = silent, *, port: int | None = None, idle_minutes: float | None = None
 ) -> tuple[ConnectionSettings, bool]:
-    """Start the server of a home that the caller has locked; return how to reach it, and whether it ran already.
+    """Start the server of the home ``place``, which the caller has locked.
 
-    ``port``, ``idle_minutes`` and what is raised: see :func:`start`.
+    Return how to reach it, and if it ran already.
+
+    ``say``, ``port``, ``idle_minutes`` and what is raised: see :func:`start`.
     """
     known = place.recall()
     running = processes.find(place, known)
@@ -66,7 +71,7 @@ def start_locked(
 
 
 def stop(say: Say = silent) -> bool:
-    """Stop the local server; return whether there was one to stop."""
+    """Stop the local server, and ``say`` so; return whether there was one to stop."""
     place = home()
     if not place.root.exists():
         return False
@@ -75,7 +80,7 @@ def stop(say: Say = silent) -> bool:
 
 
 def stop_locked(place: Home, say: Say = silent) -> bool:
-    """Stop the server of a home that the caller has locked."""
+    """Stop the server of the home ``place``, which the caller has locked, and ``say`` so."""
     known = place.recall()
     running = processes.find(place, known)
     if running:

@@ -19,7 +19,7 @@ TARGET = Path(__file__).with_name("jars.json")
 
 
 def resolve(version: str) -> list[str]:
-    """Return the coordinates of Neo4j and of everything it needs at run time, in class path order."""
+    """Return the coordinates of Neo4j ``version`` and all it needs at run time, in class path order."""
     import jgo  # noqa: PLC0415 - part of the optional [server] extra
 
     artifacts = jgo.resolve(f"org.neo4j:neo4j:{version}")
@@ -30,7 +30,7 @@ def resolve(version: str) -> list[str]:
 
 
 def measure(coordinates: str, folder: Path) -> Jar:
-    """Fetch one jar and return it with its size and SHA-256."""
+    """Return the jar of these ``coordinates``, fetched into ``folder``, with its size and SHA-256."""
     import requests  # noqa: PLC0415 - part of the optional [server] extra
 
     unknown = Jar(coordinates, size=0, sha256="")
@@ -42,7 +42,7 @@ def measure(coordinates: str, folder: Path) -> Jar:
 
 
 def main(version: str) -> None:
-    """Resolve, measure and write."""
+    """Resolve, measure and write the jars of Neo4j ``version``."""
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(THREADS) as pool:
         jars = list(pool.map(lambda coordinates: measure(coordinates, Path(folder)), resolve(version)))
     rows = [{"coordinates": jar.coordinates, "size": jar.size, "sha256": jar.sha256} for jar in jars]

@@ -27,7 +27,7 @@ BOLT_HELLO = bytes.fromhex("6060b017 00000405 00000000 00000000 00000000")
 
 
 def find(home: Home, memory: Memory | None) -> psutil.Process | None:
-    """Return the running server of this home, if there is one.
+    """Return the running server of a ``home``, if there is one, by the ``memory`` of its start.
 
     A process counts only if it was started with our argument file: a number that another process has got since does
     not. Where nothing is remembered all processes are looked at, so that a server is found even if its record is lost.
@@ -69,7 +69,7 @@ def is_free(port: int) -> bool:
 
 
 def spawn(command: Sequence[str], log: Path, folder: Path) -> subprocess.Popen[bytes]:
-    """Start a process that outlives this one, its output in ``log``."""
+    """Start a process of ``command`` in ``folder`` that outlives this one, its output in ``log``."""
     with explain_os_error(f"cannot start {command[0]}"):
         if log.exists():
             log.replace(log.with_name(f"{log.name}.old"))
@@ -96,7 +96,10 @@ def speaks_bolt(port: int) -> bool:
 
 
 def wait_for_answer(process: psutil.Process, settings: ConnectionSettings, home: Home) -> None:
-    """Wait until the database answers a query; raises ServerError when it cannot, and says why."""
+    """Wait until the database of ``settings`` answers a query; raises ServerError, which says why, when it cannot.
+
+    ``process`` runs it, on ``home``.
+    """
     import neo4j  # noqa: PLC0415 - slow to import: done while the server starts
     from neo4j.exceptions import AuthError, DriverError, Neo4jError  # noqa: PLC0415 - the same
 
@@ -135,7 +138,7 @@ def is_alive(process: psutil.Process) -> bool:
 
 
 def failure(home: Home, what: str, port: int) -> ServerError:
-    """Return the error for a start that failed, as its log explains it."""
+    """Return the error for a start that failed (``what``) on ``home`` and ``port``, as its log explains it."""
     text = home.console_log.read_text(encoding="utf-8", errors="replace") if home.console_log.exists() else ""
     if "No space left on device" in text or "Disk quota exceeded" in text or "File too large" in text:
         return no_room(f"the local Neo4j {what}: it cannot write to {home.root}")
@@ -162,7 +165,7 @@ def port_taken(port: int) -> ServerError:
 
 
 def has_failed_to_write(settings: ConnectionSettings) -> bool:
-    """Say whether the database answers nothing any more since its disk was full."""
+    """Return whether the database of ``settings`` answers nothing any more since its disk was full."""
     import neo4j  # noqa: PLC0415 - slow to import
     from neo4j.exceptions import DriverError, Neo4jError  # noqa: PLC0415 - the same
 

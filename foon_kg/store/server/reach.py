@@ -10,12 +10,12 @@ HOST = "127.0.0.1"
 
 
 def settings_of(place: Home, port: int) -> ConnectionSettings:
-    """Return how to reach the server of this home on this port."""
+    """Return how to reach the server of the home ``place`` on this ``port``."""
     return ConnectionSettings(f"bolt://{HOST}:{port}", "neo4j", password_of(place), "neo4j")
 
 
 def password_of(place: Home) -> str:
-    """Return the password of the user ``neo4j``; raises ServerError where it cannot be read."""
+    """Return the password of the user ``neo4j`` in the home ``place``; raises ServerError where it cannot be read."""
     try:
         return place.password_file.read_text(encoding="utf-8").strip()
     except OSError as error:

@@ -27,7 +27,11 @@ from foon_kg.store.settings import ConnectionSettings
 
 
 def remembered(place: Home, known: Memory | None, port: int | None, idle_minutes: float | None, say: Say) -> Memory:
-    """Return the memory that a new start begins with: what was asked now, else what was before."""
+    """Return the memory that a new start on ``place`` begins with: what was asked now, else what was ``known`` before.
+
+    What is asked are ``port`` and ``idle_minutes``, ``None`` for as before; ``say`` hears of a record that cannot be
+    read.
+    """
     if known is None and place.memory_file.exists():
         say(f"{place.memory_file} is unreadable and is written anew; the server gets a new port")
     memory = known or Memory()
@@ -37,7 +41,11 @@ def remembered(place: Home, known: Memory | None, port: int | None, idle_minutes
 
 
 def launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> ConnectionSettings:
-    """Fetch what is missing, start, remember; once more without the start-up cache if that start fails."""
+    """Fetch what is missing and start the server of ``place``, by its ``memory``; then remember it.
+
+    It starts once more without the start-up cache if that start fails. ``say`` hears what is done; an ``explicit_port``
+    is not changed where it is taken.
+    """
     restore(place)
     cache = fetched(say)
     jar_set, folder = cache.jar_set, cache.folder
@@ -55,7 +63,10 @@ def launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> Con
 
 
 def fetched(say: Say) -> StartupCache:
-    """Return the start-up cache with the jars that it is of, once all that is missing of these has been fetched."""
+    """Return the start-up cache with the jars that it is of, once all that is missing of these has been fetched.
+
+    ``say`` hears what is fetched.
+    """
     java()
     cache = the_startup_cache()
     _fetch_what_is_not_there(cache.jar_set, cache.folder, say)
@@ -123,7 +134,10 @@ def _blame_damaged_jars(jar_set: JarSet, folder: Path) -> None:
 
 
 def rebuilt(place: Home, running: psutil.Process) -> Memory:
-    """Remember again a server whose record was lost, from the process itself."""
+    """Return the memory of the home ``place`` whose record was lost, from the ``running`` process.
+
+    It is written again.
+    """
     listening = [item.laddr.port for item in running.net_connections("tcp") if item.status == psutil.CONN_LISTEN]
     memory = Memory(running.pid, next(iter(listening), None), version=pinned().version)
     place.remember(memory)

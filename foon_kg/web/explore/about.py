@@ -145,7 +145,7 @@ class Telling:
 
 
 def places_of(sightings: Iterable[Sighting]) -> list[Place]:
-    """Return the first places of a step."""
+    """Return the first places of a step, of all its ``sightings``."""
     return [Place(seen.video, seen.position, seen.start, seen_at([seen])) for seen in islice(sightings, MOST)]
 
 

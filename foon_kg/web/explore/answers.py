@@ -45,7 +45,7 @@ class Drawn:
 
 
 def drawn(answer: Answer, network: Network) -> Drawn:
-    """Return what of an answer can be drawn: its nodes, edges and paths, wherever they stand."""
+    """Return what of an ``answer`` can be drawn in ``network``: its nodes, edges and paths, wherever they stand."""
     nodes: dict[str, Thing] = {}
     edges: dict[Joined, None] = {}
     for value in _graph_values(answer.rows):

@@ -46,7 +46,7 @@ class CypherDesk:
         self._places = threading.BoundedSemaphore(_MOST_AT_ONCE)
 
     def ask(self, text: str, parameters: Mapping[str, Any], limit: int) -> Answer:
-        """Return at most ``limit`` rows.
+        """Return at most ``limit`` rows that ``text`` answers with these ``parameters``.
 
         Raises WriteRefused for more than a look, UsageError for what is no Cypher or too much, TooLongError, BusyError
         where others ask already, GraphError where no Neo4j answers.

@@ -49,8 +49,9 @@ class Neighbours:
     ) -> Neighbourhood:
         """Return the thing with the id ``name`` and at most ``most`` new ones, at most ``depth`` edges away.
 
-        ``shown`` are the ids of what is in the picture already: it does not use up the bound. What this FOON does not
-        have of it is passed over. Raises UnknownError where it does not have ``name``.
+        Only steps that pass ``filters`` count. ``shown`` are the ids of what is in the picture already: it does not use
+        up the bound. What this FOON does not have of it is passed over. Raises UnknownError where it does not have
+        ``name``.
         """
         centre = self.network.thing(name)
         there = {id_: self.network.thing(id_) for id_ in shown if self.network.has(id_)} | {name: centre}

@@ -110,7 +110,7 @@ class Network:
         return self._names[kind]
 
     def largest(self, counts: Mapping[ThingKind, int]) -> list[Thing]:
-        """Return so many things of each kind: those that take part in the most steps."""
+        """Return so many things of each kind as ``counts`` say: those that take part in the most steps."""
         found = {kind: [self.thing(f"{kind}:{name}") for name in self.names(kind)] for kind in counts}
         return [
             thing
@@ -131,7 +131,7 @@ class Network:
         return self.units[thing.id.partition(":")[2]]
 
     def passes(self, known: KnownUnit, filters: Filters) -> bool:
-        """Return whether a step counts."""
+        """Return whether the step of a ``known`` unit passes ``filters``."""
         videos = {seen.video for seen in known.seen_in}
         if filters.motions and known.unit.motion not in filters.motions:
             return False
@@ -265,7 +265,7 @@ def _note(node: ObjectNode) -> str:
 
 
 def grouped(pairs: Iterable[tuple[K, V]]) -> dict[K, list[V]]:
-    """Return the values of each key, in their order."""
+    """Return the values of each key in ``pairs``, in their order."""
     found: defaultdict[K, list[V]] = defaultdict(list)
     for key, value in pairs:
         found[key].append(value)

@@ -50,8 +50,9 @@ class Ways:
     def shortest(self, start: str, end: str, filters: Filters = NO_FILTERS) -> Way:
         """Return the way with the fewest steps from ``start`` to ``end``, each said as “boiled potato” or by its id.
 
-        Of several the steps of which more videos show. Raises UnknownError where one is not known (with the states in
-        which the food is), NoWayError where no steps lead there.
+        Only steps that pass ``filters`` count. Of several ways it is that of the steps which more videos show. Raises
+        UnknownError where one is not known (with the states in which the food is), NoWayError where no steps lead
+        there.
         """
         begins, ends = self._beginnings(self._places(start)), set(self._places(end))
         ahead = deque(Stop(node, name) for node in begins if node not in ends for name in self._names(node))
@@ -74,10 +75,10 @@ class Ways:
         )
 
     def carried(self, known: KnownUnit, stop: Stop) -> Iterator[Stop]:
-        """Return where a step that takes ``stop`` leaves its food, unless that stays as it is.
+        """Yield where the step of a ``known`` unit that takes ``stop`` leaves its food, unless that stays as it is.
 
-        That is what is called so or made of what is called so, and what came to be: foods that were not there before.
-        A vessel that holds it is followed only where the step tells no more of it: a board with potato on it does not
+        That is what is called so or made of what is called so, and what came to be: foods that were not there before. A
+        vessel that holds it is followed only where the step tells no more of it: a board with potato on it does not
         know that the potato was diced.
         """
         if stop.node in known.unit.output_nodes:
