@@ -172,9 +172,8 @@ class Tables:
     def _dishes_named(self, texts: tuple[str, ...]) -> tuple[Dish, ...]:
         found: dict[str, Dish] = {}
         for text in texts:
-            own = words(
-                _QUOTED.sub(" ", _FOR.split(text)[0] or text)
-            )  # “tuna” in quotes is none, nor a sauce for steak
+            # “tuna” in quotes is none, nor a sauce for steak, and what has no eggs is not called after them
+            own = _without(words(_QUOTED.sub(" ", _FOR.split(text)[0] or text)))
             for length in range(len(own), 0, -1):
                 for start in range(len(own) - length + 1):
                     name = " ".join(own[start : start + length])
@@ -191,6 +190,13 @@ class Tables:
         """
         last = max((at for at in range(end, len(own)) if own[at] in types and self.dishes[own[at]].is_type), default=-1)
         return last >= end and word_list("names another dish or food").isdisjoint(own[end:last])
+
+
+def _without(own: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the words of a title but those of what it says is not there: "no eggs", and not "no bake"."""
+    lacks, does = word_list("says that it is not there"), word_list("is what nobody does")
+    gone = {place + 1 for place, word in enumerate(own[:-1]) if word in lacks and own[place + 1] not in does}
+    return tuple(word for place, word in enumerate(own) if place not in gone)
 
 
 def tables() -> Tables:

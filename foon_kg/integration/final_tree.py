@@ -47,7 +47,7 @@ def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want
         bench.mention(dish).node,
         units,
         leaves_of(units),
-        (*_objects(bench, others), *_motions(bench), *_states(bench, cooking, wants)),
+        (*_objects(bench, others), *_motions(bench), *dict.fromkeys(_states(bench, cooking, wants))),
         tuple(_assumptions(bench, cooking)),
     )
 

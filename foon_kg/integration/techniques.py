@@ -38,7 +38,8 @@ def technique_for(
     for one in techniques():
         if not one.is_called(dish_type, told):
             continue
-        if parts.isdisjoint(one.lines) and any(_teaches(label, foods, one) for label, foods in taught):
+        told_apart = "by table" in one.plan or not parts.isdisjoint(one.lines)
+        if not told_apart and any(_teaches(label, foods, one) for label, foods in taught):
             continue
         if has_its_foods(one, wants, around):
             return one
@@ -166,8 +167,17 @@ class _Placed:
                 if join.want.number not in once:
                     taken[join.want.number] = name if foods.is_rest else ""  # else two of it are meant: layers
                     once[join.want.number] = (join, foods, part)
+        for join in joins:
+            if join.want.number not in once and once:
+                once[join.want.number] = self._beside(join, list(once.values()))
         yield from once.values()
         yield from more
+
+    def _beside(self, join: Join, placed: Sequence[tuple[Join, Foods, Part]]) -> tuple[Join, Foods, Part]:
+        """Return a food that no stage names where the one joins that is listed nearest, for the same part if any is."""
+        number, told = join.want.number, join.want.part
+        _, _, part = min(placed, key=lambda one: (one[0].want.part != told, abs(one[0].want.number - number)))
+        return join, Foods(("*",)), part
 
     def _again(
         self, found: Sequence[Join], foods: Foods, part: Part, once: dict[int, tuple[Join, Foods, Part]]

@@ -327,7 +327,7 @@ class Worker:
             if own is not None:
                 return own
         found = self.bench.attest(ways, foods)
-        if found is None and isinstance(stage, Phase):
+        if found is None and (isinstance(stage, Phase) or stage.does >= {"dry", "heat"}):
             found = self.bench.far([(stage.motion, stage.tools)], foods)
         if found is None and "knead" in stage.does:
             return self.stirring(foods)  # where nobody kneads, it is stirred together

@@ -71,7 +71,9 @@ def closing(told: Collection[str], joins: Sequence[Join]) -> str:
 def made_as(dish_type: str, title: str, known: Tables) -> str:
     """Return as a dish of which type one of a ``dish_type`` is made: what its ``title`` calls a salad is one.
 
-    Only types that the tables of ``known`` have are read out of a title.
+    Only types that the tables of ``known`` have are read out of a title; what is laid on bread stays that.
     """
+    if any(dish.stacked for dish in known.dishes_named(dish_type)):
+        return dish_type
     dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
     return next((name for name in dressed if name in DISH_TYPES), dish_type)

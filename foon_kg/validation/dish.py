@@ -207,8 +207,8 @@ def _parts_of(case: Case, food: str) -> list[Part]:
 
 
 def _left_out(case: Case, part: Part, last: int) -> bool:
-    if part.mixed == last:
-        return False  # it came on with the mixture: batter into a greased tin
+    if part.mixed == last or (part.mixed is not None and part.food.is_a("egg", "flour")):
+        return False  # it came on with the mixture: batter into a greased tin, a pancake under its sauce
     if part.joined is None or part.joined <= last:
         return False
     baked_on = any(h.does("dry") and h.number > part.joined for h in case.happenings)  # as what lies on a pizza
@@ -219,7 +219,7 @@ def _left_out(case: Case, part: Part, last: int) -> bool:
         not baked_on
         and not ((hot or drunk) and part.food.is_a(*crowns))
         and not part.food.is_a(
-            "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready"
+            "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready", "dough"
         )
     )
 

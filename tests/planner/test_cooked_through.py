@@ -192,3 +192,74 @@ def test_cookies_that_nobody_bakes_are_cooked_and_set(steps):
                  "cocoa powder:powder", "peanut butter:creamy", "oats:rolled")  # fmt: skip
     assert motions(told).index("cook and stir") < motions(told).index("chill")
     assert boils_or_bakes(told, "sugar", "milk", "cocoa powder")
+
+
+def test_cream_of_starch_is_cooked_and_its_crust_baked_before(steps):
+    told = steps("pie", "Coconut Cream Pie", "pie crust:raw", "sugar:granulated", "flour:powder", "milk:liquid",
+                 "egg yolks:raw", "coconut:shredded", "whipped cream:creamy")  # fmt: skip
+    assert boils_or_bakes(told, "flour", "milk", "egg yolks")
+    assert (
+        first(told, "pie crust", "bake")
+        < motions(told).index("chill")
+        < first(told, "whipped cream", motions(told)[-1])
+    )
+
+
+def test_a_fruit_pie_of_two_crusts_is_closed_and_brushed(steps):
+    told = steps("pie", "Apple Pie", "pie crusts:raw", "apples:sliced", "sugar:granulated", "egg:whole", "milk:liquid")
+    done = motions(told)
+    on = [
+        number
+        for number, (inputs, motion, _) in enumerate(told)
+        if motion == "pick-and-place" and "pie crusts" in inputs
+    ]
+    assert len(on) == 2
+    assert on[0] < next(number for number, one in enumerate(told) if number > on[0] and one[1] == "pour") < on[1]
+    assert {"egg", "milk"} == inside(told, "beat")
+    assert on[1] < done.index("brush") < done.index("bake")
+
+
+def test_soft_milk_comes_to_a_cold_soup_when_it_is_cold(steps):
+    told = steps("soup", "Cold Pea Soup", "peas:frozen", "onion:chopped", "vegetable broth:liquid", "yogurt:creamy")
+    done = motions(told)
+    assert done.index("blend") < done.index("cool down") < first(told, "yogurt", "scoop and pour") < done.index("chill")
+    told = steps(
+        "soup", "Cold Borscht", "beets:whole", "cucumber:diced", "buttermilk:liquid", "hard-boiled eggs:hardboiled"
+    )
+    assert "beets" in {food for inputs, motion, _ in told if motion == "cook" for food in inputs}
+    assert "buttermilk" not in {food for inputs, motion, _ in told if motion in HEATS for food in inputs}
+
+
+def test_what_a_title_says_is_not_there_does_not_name_the_dish(steps):
+    told = steps("cake", "Wacky Cake (No Eggs)", "flour:powder", "sugar:granulated", "cocoa powder:powder",
+                 "baking soda:powder", "vinegar:liquid", "oil:liquid", "water:cold")  # fmt: skip
+    assert "bake" in motions(told)
+
+
+def test_a_sandwich_is_dipped_in_egg_and_fried_where_it_is_called_so(steps):
+    told = steps("sandwich", "Monte Cristo", "white bread:loaf", "Swiss cheese:block", "deli ham:processed meat",
+                 "eggs:whole", "milk:liquid", "butter:unmelted")  # fmt: skip
+    assert "boil" not in motions(told)
+    assert motions(told).index("dip") < motions(told).index("flip")
+
+
+def test_noodles_of_a_slaw_are_not_stewed_with_it(steps):
+    told = steps("salad", "Ramen Noodle Slaw", "ramen noodles:uncooked", "coleslaw mix:shredded", "oil:liquid",
+                 "vinegar:liquid", "sugar:granulated")  # fmt: skip
+    hot = {food for inputs, motion, _ in told if motion in HEATS for food in inputs}
+    assert "ramen noodles" in hot
+    assert "coleslaw mix" not in hot
+
+
+def test_foods_that_no_stage_of_a_told_part_names_join_beside_what_is_listed_nearest(steps):
+    told = steps("pasta", "Lasagna", "ground beef:raw:sauce", "marinara:sauce:sauce", "ricotta:creamy:filling",
+                 "egg:whole:filling", "parsley:chopped:filling", "salt:granulated:filling",
+                 "lasagna noodles:uncooked", "mozzarella:shredded")  # fmt: skip
+    assert {"ricotta", "egg", "parsley"} <= inside(told, "mix")
+    assert {"salt", "lasagna noodles", "mozzarella"} <= inside(told, "bake")
+
+
+def test_a_loaf_that_is_filled_with_a_salad_stays_bread(steps):
+    told = steps("sandwich", "Chicken Salad Croissants", "cooked chicken:chopped", "mayonnaise:creamy",
+                 "pecans:chopped", "croissants:whole")  # fmt: skip
+    assert not any("croissants" in inputs for inputs, motion, _ in told if motion in {"mix", "stir"})
