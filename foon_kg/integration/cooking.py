@@ -89,7 +89,7 @@ class Cooking:
             or any(not one.does.isdisjoint({"blend"}) for one in join.spot.after[:1] if not stage.does)
         )
         form = self._form(join)
-        want = self._as_eaten(join)
+        want = self._as_eaten(join, blended=blended)
         self.bench.phase = "prepare"
         first = self.alone.cooked_first(join)
         whole = first and not self.alone.is_fried_open(want)
@@ -125,11 +125,13 @@ class Cooking:
         others = (one.want.facts for one in self.plan.joins if one is not join)
         return any(not facts.is_a(*word_list("is eaten on a cob")) for facts in others)
 
-    def _as_eaten(self, join: Join) -> Want:
-        """Return a want that nobody asked cut, cut or mashed where it is never eaten or shaped whole."""
+    def _as_eaten(self, join: Join, *, blended: bool) -> Want:
+        """Return a want that nobody asked cut, cut or mashed where it is never eaten, shaped or ``blended`` whole."""
         want = self._as_soft_as_needed(join)
         if any((self.known.state(state).fine or 0) > 0 for state in (want.make, *want.leaf) if state):
             return want
+        if blended and want.facts.is_a(*word_list("is cut to be blended")):
+            return replace(want, make=min(word_list("is cut so to be blended")))
         if self._is_shaped_later(join) and want.facts.is_a(*word_list("is mashed to be shaped")):
             return replace(want, make="mashed")
         if self._is_eaten_raw(join) and want.facts.is_a(*word_list("is never eaten whole")):

@@ -321,8 +321,8 @@ class Worker:
         main = "heat" if "heat" in stage.does else next(iter(sorted(stage.does & WORKS)), "")
         ways = [way for way in self.bench.operators.ways.get(main, ()) if self.known.motion(way[0]).does == stage.does]
         pulls = stage.motion in word_list("pulls flesh apart")
-        # to roll and to pinch are no less alike for other foods than what else shapes
-        if stage.does == {"shape"} or isinstance(stage, Asked) or pulls:
+        # to roll and to pinch are no less alike for other foods than what else shapes; blades take what they get
+        if stage.does == {"shape"} or "blend" in stage.does or isinstance(stage, Asked) or pulls:
             own = self.bench.far([(stage.motion, stage.tools)], foods)
             if own is not None:
                 return own

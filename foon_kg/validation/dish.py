@@ -246,10 +246,29 @@ def sense(case: Case) -> Iterator[Finding]:
         if happening.does("dry"):
             yield from _ungreased(case, happening)
     yield from _misread(case)
+    yield from _drunk_in_pieces(case)
     stirred = [part for part in case.parts if part.food.is_a("topping") and part.mixed is not None]
     toppings = {part.name for part in stirred if part.fine < _GROUND}
     if toppings:
         yield Finding("K7", f"{names(toppings)} belongs on top and is stirred in", minor=True)
+
+
+def _drunk_in_pieces(case: Case) -> Iterator[Finding]:
+    """Yield the foods of a drink that had to be blended, where its name does not say that they lie in it."""
+    told = set(words(case.recipe.title or "")) if case.recipe else set()
+    other = word_list("is called by pieces in it") | word_list("is drunk hot")
+    if word_list("is drunk").isdisjoint(case.dish_types) or not told.isdisjoint(other):
+        return
+    kinds = frozenset[str]()
+    if any(part.food.is_a(*word_list("makes a blended drink")) for part in case.parts):
+        kinds |= word_list("is drunk blended")
+    if not any(part.food.is_a("spirit") for part in case.parts):
+        kinds |= word_list("is no drink until it is blended")
+    slices = word_list("is a slice on a glass")
+    mixed = [part for part in case.parts if part.mixed is not None and part.fine < _GROUND]
+    pieces = {part.name for part in mixed if part.food.is_a(*kinds) and not part.food.is_a(*slices)}
+    if pieces:
+        yield Finding("K7", f"{names(pieces)} is drunk in pieces", min(part.mixed or 0 for part in mixed))
 
 
 def _misread(case: Case) -> Iterator[Finding]:

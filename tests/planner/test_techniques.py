@@ -175,3 +175,33 @@ def test_a_white_sauce_is_cooked_for_pasta_that_no_title_calls_so(steps):
     told = steps("pasta", "Tuna Pasta Bake", "penne:uncooked", "tuna:canned", "butter:unmelted", "flour:powder",
                  "milk:liquid", "cheddar:grated")  # fmt: skip
     assert motions(told).index("melt") < first(told, "milk", "cook and stir") < first(told, "penne", "mix")
+
+
+@pytest.mark.parametrize(
+    "foods",
+    [
+        ("bananas:whole", "milk:liquid", "ice:frozen"),
+        ("spinach:leaves", "apple:whole", "water:liquid"),
+        ("tofu:diced", "strawberries:whole", "yogurt:creamy"),
+        ("rolled oats:rolled", "raisins:dried", "milk:liquid"),
+    ],
+)
+def test_fruit_leaves_and_grains_are_blended_in_what_is_drunk_though_no_name_says_so(steps, foods):
+    assert motions(steps("drinks", "", *foods)).count("blend") == 1
+
+
+@pytest.mark.parametrize(
+    ("title", "foods"),
+    [
+        ("Sangria", ("red wine:liquid", "brandy:liquid", "apples:chopped", "sugar:granulated", "ice:frozen")),
+        ("Strawberry Lemonade", ("strawberries:whole", "lemon juice:juice", "sugar:granulated", "ice:frozen")),
+        ("Iced Latte", ("coffee:liquid", "milk:liquid", "ice:frozen")),
+    ],
+)
+def test_a_drink_in_which_fruit_lies_by_its_name_is_not_blended(steps, title, foods):
+    assert "blend" not in motions(steps("drinks", title, *foods))
+
+
+def test_a_large_fruit_is_cut_before_it_comes_into_a_blender(steps):
+    told = steps("drinks", "", "watermelon:whole fruit", "milk:liquid", "ice:frozen")
+    assert first(told, "watermelon", "chop") < motions(told).index("blend")

@@ -587,3 +587,20 @@ def test_k7_a_word_that_was_read_right_or_has_one_meaning(asked, taken):
 def test_coffee_that_comes_of_plain_water_is_fatal_as_tea_is():
     coffee = "water (liquid; in bottle) + cup (empty) → BREW → coffee (hot; in cup) + cup ({coffee})"
     assert "coffee does not come of water" in str(found("W2", coffee))
+
+
+@pytest.mark.parametrize(
+    ("title", "foods", "pieces"),
+    [
+        ("", ("banana", "milk"), True),
+        ("", ("kale", "water"), True),
+        ("Banana milk", ("banana", "milk"), True),
+        ("Banana punch", ("banana", "milk"), False),
+        ("", ("strawberry", "water"), False),
+        ("", ("milk", "orange"), False),
+    ],
+)
+def test_k7_fruit_in_milk_is_blended_and_not_drunk_in_pieces(title, foods, pieces):
+    tree = recipe("drinks", "; ".join(foods), title) + served("drinks", *foods)
+    told = [line for line in found("K7", tree) if "is drunk in pieces" in line]
+    assert bool(told) is pieces
