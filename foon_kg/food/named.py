@@ -66,15 +66,15 @@ def named_by(title: str, dish_type: str, foods: Collection[tuple[str, Food]]) ->
     found = []
     for one in _rows():
         said = one.said(told) if not one.types or dish_type in one.types else ""
-        there = any(one.is_of(*food) for food in foods)
-        bought = any(some.mean(label, facts, (), around) for some in one.without for label, facts in foods)
-        if said and there and not bought:
+        if not said or not any(one.is_of(*food) for food in foods):
+            continue
+        if not any(some.mean(label, facts, (), around) for some in one.without for label, facts in foods):
             found.append((one, said))
     return tuple(found)
 
 
 def _stands_in(name: tuple[str, ...], told: Sequence[str]) -> bool:
-    return any(tuple(told[place : place + len(name)]) == name for place in range(len(told)))
+    return name[0] in told and any(tuple(told[place : place + len(name)]) == name for place in range(len(told)))
 
 
 @cache

@@ -9,7 +9,8 @@ stands at the head of the table.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -195,6 +196,33 @@ def techniques() -> tuple[Technique, ...]:
     """Return every technique in the order of the tables: the first that suits a dish is taken."""
     rows = (row for table in TABLES for row in shipped(table)["techniques"].items())
     return tuple(_technique(name, row) for name, row in rows)
+
+
+def techniques_called(dish_type: str, told: Iterable[str]) -> Iterator[Technique]:
+    """Yield the techniques by whose names a dish of that type, with these words in its title, may be called.
+
+    They are in the order of the tables. A title has the first word of few of their names, so few are looked at.
+    """
+    by_word, by_type, nameless = _by_first_words()
+    found = {*nameless, *by_type.get(dish_type, ()), *(place for word in told for place in by_word.get(word, ()))}
+    every = techniques()
+    return (every[place] for place in sorted(found))
+
+
+@cache
+def _by_first_words() -> tuple[Mapping[str, list[int]], Mapping[str, list[int]], list[int]]:
+    """Return the places of techniques by the first words of names, by types that need no name, and without any name."""
+    by_word: defaultdict[str, list[int]] = defaultdict(list)
+    by_type: defaultdict[str, list[int]] = defaultdict(list)
+    nameless = []
+    for place, one in enumerate(techniques()):
+        for word in {name[0] for name in one.called}:
+            by_word[word].append(place)
+        for dish_type in one.or_types:
+            by_type[dish_type].append(place)
+        if not one.called:
+            nameless.append(place)
+    return dict(by_word), dict(by_type), nameless
 
 
 @cache

@@ -10,7 +10,7 @@ from functools import partial
 from foon_kg.food import Level, Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques, ways, works
+from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques_called, ways, works
 from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import BATH, Line, Phase, Slot, Stage
@@ -33,9 +33,10 @@ def technique_for(
     recipe says which food is for which line of it.
     """
     around = Around([want.facts for want in wants], told)
-    taught = [(words(label), foods) for label, foods in recorded if set(words(label)) <= set(told)]
+    own = set(told)
+    taught = [(words(label), foods) for label, foods in recorded if own.issuperset(words(label))]
     parts = {want.part for want in wants} - {""}
-    for one in techniques():
+    for one in techniques_called(dish_type, told):
         if not one.is_called(dish_type, told):
             continue
         told_apart = "by table" in one.plan or not parts.isdisjoint(one.lines)
