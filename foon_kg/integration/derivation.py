@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Hashable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from foon_kg.food import Tables, is_among, singular, tables, words
 from foon_kg.food.lists import word_list
@@ -74,6 +75,7 @@ class _Derivation:
         self.over_heat: list[frozenset[str]] = []
         self.names: dict[Part, int] = {}
         self.fetched = self._fetched()
+        self._found: dict[tuple[int, int], _Place | None] = {}
         for unit in units:
             number = self.world.play(Step.of(unit.input_nodes, unit.motion, unit.output_nodes)).number
             self.places.append(self._places())
@@ -159,12 +161,26 @@ class _Derivation:
 
     def _place_of(self, part: Part, step: int) -> _Place | None:
         """Return where a part was after a step: it, or what it is a portion of."""
-        there = self.places[step]
-        found = there.get(self._name(part))
+        name = self._name(part)
+        found = self.places[step].get(name)
         if found is not None:
             return found
-        portions = (name for other, name in self.names.items() if other.origin == part.origin)
-        return max((there[name] for name in portions if name in there), key=lambda one: _in_use(one.lump), default=None)
+        if (name, step) not in self._found:
+            self._found[name, step] = self._portion_of(part, step)
+        return self._found[name, step]
+
+    def _portion_of(self, part: Part, step: int) -> _Place | None:
+        there = self.places[step]
+        places = (there[name] for name in self._portions.get(part.origin, ()) if name in there)
+        return max(places, key=lambda one: _in_use(one.lump), default=None)
+
+    @cached_property
+    def _portions(self) -> dict[int, list[int]]:
+        """The numbers of the parts that come of the same food, by where that came from."""
+        found: dict[int, list[int]] = {}
+        for part, name in self.names.items():
+            found.setdefault(part.origin, []).append(name)
+        return found
 
     def _refined(self, parts: dict[int, Part], last: int) -> list[dict[int, int]]:
         """Return for each step the number of the cluster in which each part is."""
@@ -191,14 +207,17 @@ class _Derivation:
             groups: dict[int, list[_Cluster]] = {}
             for cluster in clusters:
                 groups.setdefault(steps[step][min(cluster.parts)], []).append(cluster)
-            clusters = [self._together(group, parts, happening, step) for group in groups.values()]
+            inside = self._inside(happening)
+            clusters = [self._together(group, parts, inside, step) for group in groups.values()]
         return clusters[0]
 
-    def _together(self, group: list[_Cluster], parts: dict[int, Part], happening: Happening, step: int) -> _Cluster:
-        first = self._receiver(group, parts, step)
-        members = frozenset().union(*(cluster.parts for cluster in group))
-        place = next((self._place_of(parts[name], step) for name in sorted(members)), None)
-        involved = self._involved(members, happening)
+    def _together(self, group: list[_Cluster], parts: dict[int, Part], inside: set[int], step: int) -> _Cluster:
+        """Return what a group of clusters is after a step, of whose things those parts are ``inside``."""
+        happening = self.world.happenings[step]
+        first = self._receiver(group, parts, step) if len(group) > 1 else group[0]
+        members = first.parts.union(*(cluster.parts for cluster in group if cluster is not first))
+        place = self._place_of(parts[min(members)], step)
+        involved = not inside.isdisjoint(members)
         if len(group) > 1:
             told = self._tells(happening)
             adds: list[Slot | Line] = (
@@ -208,11 +227,11 @@ class _Derivation:
                 if cluster is not first:
                     adds += _joined(cluster, parts, self.known, told, step)
             first.waiting = _distinct([*first.waiting, *adds], first.stages, self.fetched, self.known)
-        single = len({parts[name].name for name in members}) == 1
         was = first.place
         first.parts, first.place = members, place or first.place
         if not involved:
             return first
+        single = len({parts[name].name for name in members}) == 1
         works = not happening.motion.does.isdisjoint(_WORK)
         if single and not first.stages and not first.waiting:
             if happening.does("heat") and not self.heated[step].isdisjoint(members):
@@ -276,12 +295,12 @@ class _Derivation:
     def _tells(self, happening: Happening) -> tuple[str, tuple[str, ...]]:
         return happening.step.motion, tuple(sorted(singular(node.label) for node in happening.tools))
 
-    def _involved(self, members: frozenset[int], happening: Happening) -> bool:
+    def _inside(self, happening: Happening) -> set[int]:
+        """Return the numbers of the parts of all that a step is about."""
         lumps = [*happening.inputs, *happening.outputs.values(), *happening.made]
         lumps += [lump for vessel in happening.vessels for lump in vessel.lumps if vessel.row.role != "storage"]
         lumps += [lump for lump, _, _ in happening.moved]
-        inside = {self._name(part) for lump in lumps for part in lump.parts}
-        return not inside.isdisjoint(members)
+        return {self._name(part) for lump in lumps for part in lump.parts}
 
     def _receiver(self, group: list[_Cluster], parts: dict[int, Part], step: int) -> _Cluster:
         """Return the cluster that stays where it is while others come to it."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import fields
 from typing import Any
 
 from foon_kg.food import tables
@@ -16,7 +16,8 @@ from foon_kg.integration.spots import Post, spots_of
 from foon_kg.model import ObjectNode
 from foon_kg.store.graph.lifting import KIND
 
-_KEPT = {kind.__name__: kind for kind in (Frame, Line, ObjectNode, Slot, Stage)}
+_KEPT: dict[str, type] = {kind.__name__: kind for kind in (Frame, Line, ObjectNode, Slot, Stage)}
+_FIELDS = {kind: [field.name for field in fields(kind)] for kind in (Frame, Line, ObjectNode, Slot, Stage)}
 _SET = "set"
 
 
@@ -35,13 +36,12 @@ def frame_of(text: str) -> Frame:
 
 def _plain(value: object) -> object:
     """Return a value as JSON has it: of a dataclass its name and fields, of a set its sorted members."""
-    if is_dataclass(value) and not isinstance(value, type):
-        return {type(value).__name__: [_plain(getattr(value, field.name)) for field in fields(value)]}
     if isinstance(value, tuple):
         return [_plain(member) for member in value]
     if isinstance(value, frozenset):
         return {_SET: sorted(value)}
-    return value
+    kind = type(value)
+    return {kind.__name__: [_plain(getattr(value, name)) for name in _FIELDS[kind]]} if kind in _FIELDS else value
 
 
 def _value(plain: Any) -> Any:  # noqa: ANN401 - any value that JSON has, and any that a frame has
@@ -102,7 +102,7 @@ class _Flat:
 
 
 def _properties(part: Stage | Slot, but: str = "") -> dict[str, Any]:
-    values = {field.name: getattr(part, field.name) for field in fields(part) if field.name != but}
+    values = {name: getattr(part, name) for name in _FIELDS[type(part)] if name != but}
     return {name: sorted(value) if isinstance(value, frozenset) else value for name, value in values.items()}
 
 

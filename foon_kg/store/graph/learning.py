@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import json
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Sequence, Set
-from itertools import chain
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence, Set
 from typing import Any
 
 from foon_kg.integration.operators import MOST_SIGHTINGS
 from foon_kg.model import FunctionalUnit, Subgraph
-from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import statements as cypher
-from foon_kg.store.graph.frame_rows import Joins, frame_of, frame_row, slot_foods
+from foon_kg.store.graph.frame_rows import Joins, frame_of, slot_foods
 from foon_kg.store.graph.lifting import Lifted, Tally, is_food, lifted, matter_rows
 from foon_kg.store.graph.rows import SightingValue
 from foon_kg.store.graph.statements import Ask
-from foon_kg.store.snapshot import frames_in, sightings_of
+from foon_kg.store.graph.taught import Taught
+from foon_kg.store.snapshot import sightings_of
 
 Pair = tuple[str, str]
 """The key of an operator, and a matter to which it is done."""
@@ -27,15 +26,15 @@ Seen = tuple[list[SightingValue], list[SightingValue]]
 
 
 class Learner:
-    """Learns within one transaction.
+    """Learns within one transaction; ``teach`` says what a video teaches by itself.
 
     In this order: :meth:`forget` videos, :meth:`learn` what is new, :meth:`unlearn` the units that are about to go, and
     :meth:`finish` when they have gone.
     """
 
-    def __init__(self, ask: Ask, kitchen: Kitchen) -> None:
+    def __init__(self, ask: Ask, teach: Callable[[Subgraph], Taught]) -> None:
         self._ask = ask
-        self._kitchen = kitchen
+        self._teach = teach
         self._tally = Tally()
         self._joins = Joins()
         self._matters: set[str] = set()
@@ -59,8 +58,10 @@ class Learner:
 
     def learn(self, new: Iterable[FunctionalUnit], subgraphs: Sequence[Subgraph]) -> None:
         """Learn from ``subgraphs``, which the graph has with all their sightings, and from the units new in it."""
-        units = {unit.key: lifted(unit) for unit in new}
-        frames = list(chain.from_iterable(frames_in(subgraph, self._kitchen) for subgraph in subgraphs))
+        taught = [self._teach(subgraph) for subgraph in subgraphs]
+        said = {key: unit for one in taught for key, unit in one.units.items()}
+        units = {unit.key: said[unit.key] for unit in new}
+        frames = [frame for one in taught for frame in one.frames]
         self._tally.count(units.values())
         self._joins.count(frames)
         self._make_matters(self._tally.matters() | self._joins.matters() | slot_foods(frames))
@@ -70,7 +71,7 @@ class Learner:
         if units:
             self._ask(cypher.LOAD_OPERATORS, operators=list(_operator_rows(units)))
         if frames:
-            self._ask(cypher.LOAD_FRAMES, frames=[frame_row(frame) for frame in frames])
+            self._ask(cypher.LOAD_FRAMES, frames=[row for one in taught for row in one.rows])
 
     def unlearn(self, gone: Iterable[FunctionalUnit], doubtful: Collection[str]) -> None:
         """Take away what units ``gone`` say; they are among the ``doubtful``, which lost a sighting."""

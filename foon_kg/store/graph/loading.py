@@ -18,6 +18,7 @@ from foon_kg.store.graph.differences import unknown_videos
 from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.schema import check_readable, kitchen_key, prepare_for_writing
 from foon_kg.store.graph.statements import VIDEO_CONTENTS, VIDEO_NAMES, ask
+from foon_kg.store.graph.taught import Ahead, Taught
 from foon_kg.store.graph.writing import Writer
 from foon_kg.store.snapshot import distinct_by_name
 
@@ -74,10 +75,12 @@ def load(
         report = session.execute_read(compare, wanted)
         stored(report)
         there = set(report.unchanged)
-        for batch in batches((s for s in wanted if s.name not in there), units_per_transaction):
-            written = session.execute_write(_write, batch, kitchen)
-            stored(written)
-            report = report + written
+        new = (subgraph for subgraph in wanted if subgraph.name not in there)
+        with Ahead(batches(new, units_per_transaction), kitchen) as ahead:
+            for batch in ahead:
+                written = session.execute_write(_write, batch, kitchen, ahead)
+                stored(written)
+                report = report + written
     return report
 
 
@@ -110,9 +113,11 @@ def _begin(session: neo4j.Session, kitchen: Kitchen) -> None:
         _learn_anew(session, kitchen)
 
 
-def _write(transaction: neo4j.ManagedTransaction, batch: Sequence[Subgraph], kitchen: Kitchen) -> LoadReport:
+def _write(
+    transaction: neo4j.ManagedTransaction, batch: Sequence[Subgraph], kitchen: Kitchen, ahead: Ahead
+) -> LoadReport:
     """Write ``batch``; what another program wrote since we looked is found out again."""
-    writer = _writer(transaction, kitchen)
+    writer = _writer(transaction, kitchen, teach=ahead.taught_by)
     contents = _contents(transaction, [subgraph.name for subgraph in batch])
     changed = [subgraph for subgraph in batch if contents.get(subgraph.name) != subgraph.content_key]
     writer.forget([subgraph.name for subgraph in changed if subgraph.name in contents])
@@ -135,9 +140,14 @@ def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str], kitchen
     writer.finish()
 
 
-def _writer(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, learnt_by: str = "") -> Writer:
+def _writer(
+    transaction: neo4j.ManagedTransaction,
+    kitchen: Kitchen,
+    learnt_by: str = "",
+    teach: Callable[[Subgraph], Taught] | None = None,
+) -> Writer:
     """Open a writer; raises unless the graph still is as this program left it."""
-    writer = Writer(partial(ask, transaction), kitchen)
+    writer = Writer(partial(ask, transaction), kitchen, teach)
     check_readable(writer.state, kitchen)
     if writer.state is not None and writer.state.methods != (learnt_by or methods_key()):
         raise SchemaError(

@@ -7,7 +7,8 @@ unit is swept away while another program refers to it.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from itertools import chain
 from typing import Any
 
@@ -24,6 +25,7 @@ from foon_kg.store.graph.reading import subgraph_of
 from foon_kg.store.graph.rows import bare_unit_of, properties_of
 from foon_kg.store.graph.schema import kitchen_key, schema_version
 from foon_kg.store.graph.statements import Ask
+from foon_kg.store.graph.taught import Taught, taught_by
 from foon_kg.store.snapshot import goals_of
 from foon_kg.store.vocabulary import WordCounts
 
@@ -32,17 +34,18 @@ class Writer:
     """Adds and forgets subgraphs; :meth:`finish` brings everything derived up to date.
 
     ``ask`` runs statements: in one transaction, or on what is staged for an import (:mod:`foon_kg.store.offline`).
+    ``teach`` says what a video teaches by itself, where that was worked out before.
     ``state`` is what the graph said about itself when our turn came; ``None`` where there is no graph (any more).
 
     Units that lost a sighting are looked at only at the end, so that what the new content of a video shows again is
     never deleted in between.
     """
 
-    def __init__(self, ask: Ask, kitchen: Kitchen) -> None:
+    def __init__(self, ask: Ask, kitchen: Kitchen, teach: Callable[[Subgraph], Taught] | None = None) -> None:
         self._ask = ask
         self._kitchen = kitchen
         self._counts = WordCounts(kitchen.is_utensil)
-        self._learner = Learner(self._ask, kitchen)
+        self._learner = Learner(self._ask, teach or partial(taught_by, kitchen=kitchen))
         self._doubtful: set[str] = set()
         self._words: set[str] = set()
         """Names of what comes, which may be foods without a point, and of what goes, which nobody may use any more."""

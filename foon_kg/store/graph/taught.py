@@ -1,0 +1,72 @@
+"""What one video teaches by itself: worked out ahead, while the database is busy with the videos before it."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any
+
+from foon_kg.integration.frames import Frame
+from foon_kg.model import Subgraph
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph.frame_rows import frame_row
+from foon_kg.store.graph.lifting import Lifted, lifted
+from foon_kg.store.snapshot import frames_in
+
+
+@dataclass(frozen=True)
+class Taught:
+    """The frames of a video, the same as rows for the graph, and by their keys what its units say."""
+
+    frames: tuple[Frame, ...]
+    rows: tuple[dict[str, Any], ...]
+    units: Mapping[str, Lifted]
+
+
+def taught_by(subgraph: Subgraph, kitchen: Kitchen) -> Taught:
+    """Return what ``subgraph`` teaches, whatever else the graph has."""
+    frames = frames_in(subgraph, kitchen)
+    units = {annotation.unit.key: annotation.unit for annotation in subgraph.annotations}
+    return Taught(frames, tuple(map(frame_row, frames)), {key: lifted(unit) for key, unit in units.items()})
+
+
+class Ahead:
+    """Batches of videos, and what each video teaches: that of the next batch is worked out while one is written.
+
+    It has a thread of its own, which runs while the writer waits for the database. What was not begun is dropped when
+    the ``with`` statement ends.
+    """
+
+    def __init__(self, batches: Iterable[Sequence[Subgraph]], kitchen: Kitchen) -> None:
+        self._batches = iter(batches)
+        self._kitchen = kitchen
+        self._pool = ThreadPoolExecutor(max_workers=1)
+        self._begun: dict[str, Future[Taught]] = {}
+
+    def __enter__(self) -> Ahead:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._pool.shutdown(cancel_futures=True)
+
+    def __iter__(self) -> Iterator[Sequence[Subgraph]]:
+        """Yield the batches; when one is taken the next is begun, and what the one before taught is forgotten."""
+        waiting: deque[Sequence[Subgraph]] = deque()
+        for batch in self._batches:
+            waiting.append(batch)
+            self._begun.update((one.name, self._pool.submit(taught_by, one, self._kitchen)) for one in batch)
+            if len(waiting) > 1:
+                yield from self._written(waiting.popleft())
+        for batch in waiting:
+            yield from self._written(batch)
+
+    def _written(self, batch: Sequence[Subgraph]) -> Iterator[Sequence[Subgraph]]:
+        yield batch
+        for one in batch:
+            del self._begun[one.name]
+
+    def taught_by(self, subgraph: Subgraph) -> Taught:
+        """Return what a video of the batch that is written teaches."""
+        return self._begun[subgraph.name].result()
