@@ -179,6 +179,7 @@ class Tables:
                     name = " ".join(own[start : start + length])
                     if name in self.dishes and not any(name in other for other in found):
                         modifies = not self.dishes[name].is_type and self._is_modifier(own, start + length, texts)
+                        modifies = modifies or not word_list("is not what it is called").isdisjoint(own[:start])
                         found[name] = replace(self.dishes[name], needs=()) if modifies else self.dishes[name]
         no = frozenset().union(*(dish.is_no for dish in found.values()))
         return tuple(dish for name, dish in found.items() if name not in no)

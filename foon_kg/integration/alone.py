@@ -354,7 +354,8 @@ class Alone:
             stuff.states = states
             pot.hot = True
 
-        bench.emit(attested, [pot, (device, pot), *before], change, [pot, stuff])
+        wet = [other for other in before if other is not stuff] if self.carry.kept else []
+        bench.emit(attested, [pot, (device, pot), *before], change, [pot, stuff, *wet])
         bench.switch(pot, device, on=False)
         self.carry.drain(pot, bench.vessel("strainer"), [stuff])
 

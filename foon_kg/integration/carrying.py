@@ -40,6 +40,8 @@ class Carrier:
         self.bench = bench
         self.known: Tables = bench.known
         self.preparer = preparer
+        self.kept: list[Ready] = []
+        """What is asked of the water in which something boils, until some of that is taken."""
 
     def open_into(self, ready: Ready, vessel: Vessel) -> None:
         """Open a food in its shell over a vessel; raises :class:`RefusedError` where nothing opens it."""
@@ -219,7 +221,9 @@ class Carrier:
             self.bench.bring([stuff], tin, attested)
 
     def drain(self, pot: Vessel, strainer: Vessel, stuffs: Sequence[Stuff]) -> None:
-        """Pour a pot into a strainer: ``stuffs`` stay there, the water is gone."""
+        """Pour a pot into a strainer: ``stuffs`` stay there, the water is gone, save what is asked of it."""
+        while self.kept:
+            self._keep_water(pot, self.kept.pop())
         foods = tuple(dict.fromkeys(food for stuff in stuffs for food in stuff.foods))
         drained = self.bench.require([("drain", ()), ("pour", ())], foods)
 
@@ -230,6 +234,23 @@ class Carrier:
                 stuff.at = strainer
 
         self.bench.emit(drained, [pot, *stuffs, strainer], change, [strainer, *stuffs, pot])
+
+    def _keep_water(self, pot: Vessel, ready: Ready) -> None:
+        """Take some of the water of a pot, which is asked under a name of its own, before it is poured away."""
+        water = next((stuff for stuff in pot.contents if self.known.foods.food(stuff.label).is_a("water")), None)
+        ways = [way for way in self.bench.operators.ways_of("scoop") if way[1]]
+        attested = self.bench.attest(ways, ("water",)) or self.bench.far(ways, ("water",))
+        if water is None or attested is None:
+            return
+        cup, kept = self.bench.vessel(_JUG), ready.stuff
+        rest = [stuff for stuff in pot.contents if stuff is not water]
+
+        def change() -> None:
+            pot.contents.remove(water)
+            cup.contents.append(kept)
+            kept.at, kept.states = cup, ("liquid",)
+
+        self.bench.emit(attested, [pot, *pot.contents, cup], change, [cup, kept, pot, *rest])
 
     def is_wet(self, stuff: Stuff) -> bool:
         """Whether a mixture runs: it has liquid in it that was not baked away."""

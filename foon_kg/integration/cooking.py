@@ -102,7 +102,9 @@ class Cooking:
             ready = self._cut_once_done(ready)
         self.ready[want.number] = ready
         self.alone.beaten_first(join, ready)
-        if want.facts.is_a("water") and self.course.is_hot(stage):
+        if want.facts.is_a(*word_list("is the water of a pot")):
+            self.carry.kept.append(ready)
+        elif want.facts.is_a("water") and self.course.is_hot(stage):
             self.alone.measure(ready)
 
     def _form(self, join: Join) -> tuple[str, ...]:

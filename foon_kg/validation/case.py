@@ -138,7 +138,17 @@ class Case:
         found: dict[str, list[Part]] = {}
         for part in self.parts:
             found.setdefault(part.name, []).append(part)
+        for name in self.required_names - found.keys():
+            kept = [part for part in self.parts if self._is_kept_of(name, part)]
+            found |= {name: kept} if kept else {}
         return found
+
+    def _is_kept_of(self, name: str, part: Part) -> bool:
+        """Whether ``name`` is that of what was taken out of a pot, and ``part`` the water that boiled in it."""
+        if not self.tables.foods.food(name).is_a(*word_list("is the water of a pot")) or not part.food.is_a("water"):
+            return False
+        taken = (h for h in self.happenings if name in {singular(node.label) for node in h.outputs})
+        return part.heated is not None and any(part.name in {singular(node.label) for node in h.inputs} for h in taken)
 
     @cached_property
     def dish_types(self) -> tuple[str, ...]:

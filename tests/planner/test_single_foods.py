@@ -109,3 +109,26 @@ def test_tubes_of_pasta_are_filled_and_not_rolled(steps):
         "tomato sauce:sauce",
     )
     assert "roll" not in {motion for _, motion, _ in told}
+
+
+def test_water_of_pasta_is_taken_out_of_its_pot_before_that_is_drained(steps):
+    told = steps("pasta", "Cacio e Pepe", "spaghetti:uncooked", "pasta water:", "pecorino:grated", "butter:unmelted")
+    (kept,) = [place for place, (_, _, out) in enumerate(told) if "pasta water" in {n.label for n in out} and place][:1]
+    assert "water" in told[kept][0]
+    assert "faucet" not in told[kept][0]
+    drained = [place for place, (inputs, _, _) in enumerate(told) if "strainer" in inputs]
+    assert kept < drained[0]
+
+
+def test_a_dish_is_not_asked_for_what_its_title_says_it_has_not(steps):
+    cake = steps(
+        "cake",
+        "Wacky Cake (No Eggs, No Milk)",
+        "flour:powder",
+        "sugar:granulated",
+        "vegetable oil:liquid",
+        "vinegar:liquid",
+        "baking soda:powder",
+        "water:liquid",
+    )
+    assert "bake" in {motion for _, motion, _ in cake}
