@@ -98,7 +98,14 @@ class Carrier:
             ways.insert(0, told)
         if one_piece and (whole or not _SOLID.isdisjoint(state for stuff in moved for state in stuff.states)):
             ways = self._lifting(ways, source)
-        return ways
+        return self._with_tools(ways) if source.hot and not self._is_in_tin(source) else ways
+
+    def _with_tools(self, ways: Sequence[Way]) -> list[Way]:
+        """Return ways of which nobody picks up with bare hands what is hot, where a tool does it."""
+        bare = [way for way in ways if way[0] in word_list("picks up") and not way[1]]
+        named = sorted({way[0] for way in bare})
+        lifters = [way for name in named for way in self.bench.operators.ways_of(name) if any(map(self._lifts, way[1]))]
+        return [*lifters, *(way for way in ways if not lifters or way not in bare)]
 
     def _by_the_spoon(self) -> list[Way]:
         """Return the ways that fetch a portion with a tool."""
@@ -126,7 +133,7 @@ class Carrier:
         """Return whether what is moved runs, and whether it is moved in one piece."""
         states = {state for stuff in stuffs for state in stuff.states}
         solids = [stuff for stuff in stuffs if stuff.mixed or not self.known.foods.food(stuff.label).is_a("fat")]
-        alone = len(solids) == 1 or not any(map(self._is_liquid, stuffs))
+        alone = len(solids) == 1 or not any(self._is_liquid(stuff) or self.is_wet(stuff) for stuff in stuffs)
         uncut = alone and any(self._is_uncut(stuff) for stuff in solids)
         shaped = whole or uncut or not word_list("keeps its shape").isdisjoint(states)
         runs = not shaped and (len(stuffs) > 1 or any(self._is_liquid(stuff) or self.is_wet(stuff) for stuff in stuffs))
