@@ -336,4 +336,4 @@ def test_a_dish_before_the_name_of_the_type_asks_for_nothing():
     assert needs["Spaghetti and Meatballs", "spaghetti"]
     assert needs["Meatball Soup", "meatball"]
     assert not [dish for dish in tables().dishes_named("Wacky Cake (No Eggs, No Milk)") if dish.name == "egg"]
-    assert [dish.needs for dish in tables().dishes_named("Mock Apple Pie") if dish.name == "apple pie"] == [()]
+    assert [dish.needs for dish in tables().dishes_named("Faux Apple Pie") if dish.name == "apple pie"] == [()]
