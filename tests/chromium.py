@@ -69,6 +69,13 @@ def papers(browser, scheme, picture):
     return browser.execute_script(script, picture)
 
 
+SCREENS = [
+    (375, "dark"),
+    (1200, "light"),
+    *(pytest.param(*one, marks=pytest.mark.campaign) for one in ((375, "light"), (1200, "dark"))),
+]
+"""A hand's and a desk's, in pixels, and the scheme of colours; two show all widths and all colours."""
+
 PAPERS = {"light": "rgb(255, 255, 255)", "dark": "rgb(22, 24, 29)"}
 
 

@@ -18,8 +18,10 @@ import os
 import re
 import shutil
 import tempfile
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Set
 from dataclasses import asdict
+from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING
@@ -28,6 +30,7 @@ import hypothesis
 import neo4j
 import pytest
 from chromium import chromium
+from examples import examples
 from filelock import FileLock
 
 from foon_kg.cypher import schema_steps
@@ -48,11 +51,21 @@ OWN_SERVERS = CAMPAIGN and connection_from_environment() is None
 QUICKLY_COMPILED = "-XX:TieredStopAtLevel=1"
 """A server of tests lives for minutes: what Java spends to compile well, two fifths of its CPU, it never gets back."""
 
+EXAMPLES = 40
+"""On so many a property is tried that says no other number."""
+
+PLANNED_ONCE = "dbms.cypher.min_replan_interval", "1h"
+"""A graph that comes and goes would have Neo4j plan each query anew every ten seconds, a third of its CPU; it still
+does so when an index comes or goes."""
+
+MANY_FILES = 4
+"""For each worker: of fewer files each test is sent by itself, and nobody waits for the longest file."""
+
 OURS = {re.search(r"(?:CONSTRAINT|INDEX) (\w+)", step.text)[1]: step.text for step in schema_steps()}
 """The constraints and indexes of foon-kg by their names."""
 
 # a test never depends on how quick the machine is; what else Hypothesis has chosen for this place (CI) stays
-hypothesis.settings.register_profile("untimed", hypothesis.settings(), deadline=None)
+hypothesis.settings.register_profile("untimed", examples(EXAMPLES, base=hypothesis.settings()))
 hypothesis.settings.load_profile("untimed")
 
 
@@ -91,6 +104,28 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
             item.add_marker(pytest.mark.xdist_group("neo4j"))
         if "browser" in getattr(item, "fixturenames", ()):
             item.add_marker(pytest.mark.slow)
+    slow = Counter(item.path for item in items if item.get_closest_marker("slow"))
+    # the longest first, so that no worker waits for another in the end: what is in a group, then files of slow tests
+    items.sort(key=lambda item: (item.get_closest_marker("xdist_group") is None, -slow[item.path]))
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object | None:
+    """Send what is in no group to the workers file by file: what a module makes for its tests is made once."""
+    if config.getvalue("dist") != "loadgroup":
+        return None
+    from xdist.scheduler import LoadGroupScheduling
+
+    class ByGroupOrFile(LoadGroupScheduling):
+        @cached_property
+        def _has_many_files(self) -> bool:
+            return len({nodeid.partition("::")[0] for nodeid in self.collection}) > MANY_FILES * len(self.nodes)
+
+        def _split_scope(self, nodeid: str) -> str:
+            scope = super()._split_scope(nodeid)
+            return nodeid.partition("::")[0] if scope == nodeid and self._has_many_files else scope
+
+    return ByGroupOrFile(config, log)
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:
@@ -234,16 +269,20 @@ def _container(folder: Path) -> ConnectionSettings | None:
         return None
     os.environ["TESTCONTAINERS_RYUK_DISABLED"] = "true"  # the container outlives the worker that starts it
     container = Neo4jContainer(IMAGE, password="tests-only")
+    name, value = PLANNED_ONCE
+    container.with_env("NEO4J_" + name.replace("_", "__").replace(".", "_"), value)
     container.start()
     (folder / "container").write_text(container.get_wrapped_container().id)
     return ConnectionSettings(container.get_connection_url(), "neo4j", "tests-only", "neo4j")
 
 
 def _own_server(folder: Path) -> ConnectionSettings:
-    from foon_kg.store.server import start
+    from foon_kg.store.server import configuration, start
 
+    usual = configuration.neo4j_conf
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("FOON_KG_HOME", str(folder / "home"))
+        patch.setattr(configuration, "neo4j_conf", lambda port: usual(port) + "=".join(PLANNED_ONCE) + "\n")
         try:
             return start(idle_minutes=60, after_start=lambda _settings: None)
         except FoonError as error:

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections import Counter
 
 import pytest
+from examples import examples
 from foons import DISHES, LABELS, STATES, foons, nodes
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import node, unit
 
@@ -54,8 +55,8 @@ def keeper(request):
     return InMemory() if request.param == "snapshot" else request.getfixturevalue("in_neo4j")
 
 
-for_every_foon = settings(max_examples=60, deadline=None)
-for_some_foons = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+for_every_foon = examples(30)
+for_some_foons = examples(8)
 
 
 def distinct_units(subgraphs):

@@ -6,8 +6,9 @@ import itertools
 import json
 
 import pytest
+from examples import examples
 from foons import foons, subgraphs_named
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from methods_told import told
 
@@ -28,7 +29,7 @@ from foon_kg.store.snapshot import Snapshot
 
 pytestmark = pytest.mark.neo4j
 
-in_a_database = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+in_a_database = examples(8)
 
 
 def videos_of_the_demo():

@@ -6,8 +6,9 @@ import json
 
 import pytest
 from contract.test_equivalents import garden
+from examples import examples
 from foons import LABELS, STATES, foons
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import subgraph, unit
 from planner.dishes import KITCHEN, questions
@@ -27,7 +28,7 @@ from foon_kg.store.snapshot import Snapshot
 
 SETTINGS = PlanSettings(KITCHEN, time_limit=None)
 ASKED = sorted({*LABELS, "shallot", "egg", "coconut milk", "onion ring", "qwxyz"} - {"bowl", "knife"})
-some = settings(max_examples=12, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+some = examples(8)
 
 pytestmark = pytest.mark.neo4j
 

@@ -66,10 +66,8 @@ def test_what_drafts_teach_bears_their_name_and_makes_the_dish(collection, tmp_p
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ending", ["jsonl", "jsonl.gz", "jsonl.zst"])
-def test_two_processes_write_the_same_bytes_as_one(collection, tmp_path, ending):
-    pytest.importorskip("zstandard")
-    one, two = tmp_path / f"one.{ending}", tmp_path / f"two.{ending}"
+def test_two_processes_write_the_same_bytes_as_one(collection, tmp_path):
+    one, two = tmp_path / "one.jsonl.gz", tmp_path / "two.jsonl.gz"
     drafted(collection, one, "--jobs", 1)
     drafted(collection, two, "--jobs", 2)
     assert one.read_bytes() == two.read_bytes()

@@ -8,7 +8,8 @@ from math import exp
 
 import pytest
 from drafting.kitchen_foon import precedents
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from pictures.demo_plans import demo_foon
 
@@ -165,7 +166,7 @@ told = st.builds(
 
 
 @pytest.mark.slow
-@settings(max_examples=60, deadline=None)
+@examples(30)
 @given(st.lists(told, max_size=6))
 def test_every_narration_gives_a_draft_that_is_read_back_whole_and_says_the_same_twice(actions):
     made = drafted(*actions)

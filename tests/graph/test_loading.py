@@ -5,8 +5,9 @@ from __future__ import annotations
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
+from examples import examples
 from foons import foons, subgraphs_named
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import SALAD, subgraph, unit
 
@@ -22,7 +23,7 @@ pytestmark = pytest.mark.neo4j
 
 KITCHEN = Kitchen.default()
 VARYING = {"writes", "edition"}
-in_a_database = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+in_a_database = examples(8)
 
 
 def ask(connection, text, **parameters):

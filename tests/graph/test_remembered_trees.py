@@ -6,8 +6,9 @@ import json
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
+from examples import examples
 from foons import foons
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from kitchen_stories import CHOP_ONION, SALAD, subgraph
 
 from foon_kg.model import Recipe, RequiredIngredient
@@ -135,7 +136,7 @@ def test_with_a_goal_its_trees_go_and_nothing_dangles(connection, graph):
     assert ask_freely(connection, "MATCH (p:Plan) RETURN count(*)").rows == ((1,),)
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(8)
 @given(foons(("a", "b")), foons(("b", "c")))
 def test_just_the_trees_of_nodes_that_go_go(connection, first, later):
     load(connection, first)

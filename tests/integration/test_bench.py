@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import partial
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from integration import school, videos
 from integration.told import Likes, operators_of
@@ -208,7 +209,7 @@ def cooks(draw, most=40):
     return cook
 
 
-for_many_cooks = settings(max_examples=80, deadline=None, suppress_health_check=list(HealthCheck))
+for_many_cooks = examples(40)
 
 
 @for_many_cooks

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import HealthCheck, assume, given, settings
+from examples import examples
+from hypothesis import assume, given
 from integration import videos
 from integration.told import snapshot_of, subgraphs
 from planner.public_foon import public_snapshot
@@ -223,7 +224,7 @@ def _frame_of(walk):
     return frame_of(list(_units(walk)), walk.goal, "salad", "walk")
 
 
-for_many_walks = settings(max_examples=100, deadline=None, suppress_health_check=list(HealthCheck))
+for_many_walks = examples(40)
 short_walks = walks(TO_BE_MENDED, most=15)
 
 

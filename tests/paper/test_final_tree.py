@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import ADD_TOMATO, CHOP_ONION, SALAD, node, script
 from paper.see_through import foon, recipe, told
@@ -194,7 +195,7 @@ def answered(known, foods, like):
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None)
+@examples(60)
 @given(kitchens, foods, likes)
 def test_every_tree_runs_from_its_kitchen_to_its_goal_and_has_the_required_foods_and_no_others(known, foods, like):
     result = answered(known, foods, like)
@@ -216,7 +217,7 @@ def test_every_tree_runs_from_its_kitchen_to_its_goal_and_has_the_required_foods
     assert len({(u.input_nodes, u.motion, u.output_nodes) for u in result.units}) == len(result.units)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(30)
 @given(kitchens, foods, likes, st.randoms())
 def test_the_answer_is_the_same_whatever_the_order_of_the_videos_and_survives_json(known, foods, like, random):
     result = answered(known, foods, like)

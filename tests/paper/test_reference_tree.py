@@ -3,7 +3,8 @@
 import itertools
 
 import pytest
-from hypothesis import assume, given, settings
+from examples import examples
+from hypothesis import assume, given
 from kitchen_stories import node, script
 from paper.see_through import told
 from search_problems import deep_problems, problems
@@ -91,7 +92,7 @@ def followed(chosen, leaves, goal, made, above=()):
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None)
+@examples(50)
 @given(problems(max_units=7) | deep_problems())
 def test_the_tree_has_the_greatest_overlap_and_then_the_fewest_units_of_all_paths(problem):
     given_units, goal = asked(problem)
@@ -112,7 +113,7 @@ def test_the_tree_has_the_greatest_overlap_and_then_the_fewest_units_of_all_path
 
 
 @pytest.mark.slow
-@settings(max_examples=100, deadline=None)
+@examples(50)
 @given(problems())
 def test_a_leaf_is_what_the_kitchen_has_what_nobody_makes_and_what_is_made_in_a_circle(problem):
     known = Knowledge.of(asked(problem)[0], KITCHEN, WORDS, told())

@@ -6,7 +6,8 @@ import json
 import random
 
 import pytest
-from hypothesis import event, given, settings
+from examples import examples
+from hypothesis import event, given
 from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
 from planner.judged import fatal
@@ -16,8 +17,8 @@ from foon_kg.planning.planner import Planner
 from foon_kg.plans.result import PlanFailure, PlanResult
 from foon_kg.store.snapshot import Snapshot
 
-for_many_questions = settings(max_examples=150, deadline=None)
-for_some_questions = settings(max_examples=50, deadline=None)
+for_many_questions = examples(60)
+for_some_questions = examples(25)
 
 
 def answer(planner, recipe):

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from kitchen_stories import CHOP_ONION, subgraph
 from planner.dishes import KITCHEN, SETTINGS, questions
 from planner.test_demo_dishes import SNAPSHOT, every_recipe
@@ -40,7 +41,7 @@ def test_a_plan_is_the_same_explained_or_not(recipe):
     assert planner.explain(recipe)[0].to_json() == planner.plan(recipe).to_json()
 
 
-@settings(max_examples=40, deadline=None)
+@examples(20)
 @given(questions())
 def test_what_is_said_is_what_the_tree_does(question):
     subgraphs, asked = question

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import SALAD, node, subgraph
 from planner.dishes import KITCHEN, SETTINGS, questions
@@ -156,7 +157,7 @@ def test_the_nearest_leaf_is_the_one_with_the_fewest_units_between():
     assert nearest_first([a, b, c], units, goal) == (c, b, a)
 
 
-some_questions = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+some_questions = examples(30)
 
 
 @pytest.mark.slow

@@ -5,7 +5,8 @@ from __future__ import annotations
 import random
 
 import pytest
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import SALAD, node, subgraph
 from planner.dishes import FRESH, KITCHEN, SOLD_IN, UNKNOWN, LikeByKind, foons
@@ -72,7 +73,7 @@ def test_foods_of_which_no_dish_takes_any_suggest_nothing():
 
 
 OWN = (*FRESH, *SOLD_IN, *UNKNOWN)
-some = settings(max_examples=60, deadline=None)
+some = examples(30)
 
 
 @pytest.mark.slow

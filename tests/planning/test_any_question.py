@@ -13,7 +13,8 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, assume, event, given, settings
+from examples import examples
+from hypothesis import assume, event, given
 from hypothesis import strategies as st
 from integration.told import subgraphs
 from planner.judged import fatal
@@ -108,13 +109,13 @@ def nodes(result):
     return {node for unit in result.units for node in (*unit.input_nodes, *unit.output_nodes)}
 
 
-some = settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
-few = settings(max_examples=12, deadline=None, suppress_health_check=list(HealthCheck))
+some = examples(30)
+few = examples(8)
 any_recipe = st.one_of(recipes(), st.sampled_from(SURE))
 
 
 @pytest.mark.slow
-@settings(some, max_examples=150)
+@examples(60)
 @given(recipes())
 def test_the_answer_is_a_tree_without_a_fatal_finding_or_a_reason(recipe):
     result = answer(recipe)

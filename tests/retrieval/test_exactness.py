@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import node, unit
 from robot_kitchens import best_of_all, costs, deep_foons, foons, goals, kitchens, sought
@@ -31,7 +32,7 @@ def answer(snapshot, asked, kitchen, weights):
 @pytest.mark.slow
 @pytest.mark.parametrize("by", Criterion)
 @pytest.mark.parametrize("level", Level)
-@settings(max_examples=40, deadline=None)
+@examples(20)
 @given(foon=foons() | deep_foons(), goal=goals, beside=st.tuples(costs, kitchens))
 def test_no_set_of_units_is_a_better_tree(level, by, foon, goal, beside):
     asked, (weights, kitchen) = sought(goal, level, by), beside
@@ -44,7 +45,7 @@ def test_no_set_of_units_is_a_better_tree(level, by, foon, goal, beside):
     assert found.exact
 
 
-@settings(max_examples=60, deadline=None)
+@examples(30)
 @given(foons() | deep_foons(), goals, costs, st.sampled_from(Level), st.sampled_from(Criterion))
 def test_a_tree_is_executable_ends_with_its_goal_and_names_every_place_where_its_units_were_seen(
     subgraphs, goal, weights, level, by

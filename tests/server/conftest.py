@@ -11,8 +11,9 @@ from foon_kg.store.server.home import Home
 
 @pytest.fixture(scope="module")
 def place(tmp_path_factory):
-    """A private home, named by the environment for this module; its server is stopped at the end."""
+    """A private home, named by the environment for this module; its server is not warmed up, and stopped at the end."""
     with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("foon_kg.store.server.lifecycle._warm", lambda _settings: None)
         root = tmp_path_factory.mktemp("home")
         patch.setenv("FOON_KG_HOME", str(root))
         yield Home(root.resolve())

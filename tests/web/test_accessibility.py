@@ -6,7 +6,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 import pytest
-from chromium import as_wide_as_the_screen, on_screen
+from chromium import SCREENS, as_wide_as_the_screen, on_screen
 from web.driving import until
 
 AXE = Path(__file__).parents[1] / "vendor" / "axe.min.js"
@@ -29,8 +29,7 @@ FOUND = """
         one => `${one.id}: ${one.nodes.map(node => node.html).join(' ')}`)))"""
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", [375, 1200])
+@pytest.mark.parametrize(("width", "scheme"), SCREENS)
 def test_axe_finds_nothing_and_nothing_is_beyond_the_side(page, address, width, scheme):
     page.execute_cdp_cmd(
         "Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]}

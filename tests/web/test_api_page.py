@@ -8,7 +8,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
-from chromium import as_usual, as_wide_as_the_screen, on_screen
+from chromium import SCREENS, as_usual, as_wide_as_the_screen, on_screen
 from fastapi.testclient import TestClient
 from web.driving import complaints, until
 from web.serving import app
@@ -109,8 +109,7 @@ def test_words_of_a_document_stay_words():
     assert "<script>" not in api_page(document)
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", [375, 1200])
+@pytest.mark.parametrize(("width", "scheme"), SCREENS)
 def test_axe_finds_nothing_and_nothing_is_beyond_the_side(browser, address, width, scheme):
     as_usual(browser)
     browser.execute_cdp_cmd(

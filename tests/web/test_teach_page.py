@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from chromium import as_usual, as_wide_as_the_screen, on_screen
+from chromium import SCREENS, as_usual, as_wide_as_the_screen, on_screen
 from web.driving import complaints
 from web.serving import app, served
 
@@ -176,8 +176,7 @@ def test_a_token_is_asked_for(browser, tmp_path):
         browser.execute_script("localStorage.clear(); sessionStorage.clear()")
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", [375, 1200])
+@pytest.mark.parametrize(("width", "scheme"), SCREENS)
 def test_axe_finds_nothing_and_nothing_is_beyond_the_side(page, tmp_path, width, scheme):
     page.execute_cdp_cmd(
         "Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
