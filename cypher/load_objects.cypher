@@ -1,5 +1,6 @@
-// Makes the object nodes that are not there yet, and ties them to their labels. Each key may be named once.
+// Makes the object nodes that are not there yet, ties them to their labels, and names them. Each key may be named once.
 // param: objects LIST<MAP>
+// column: key
 // mode: write
 MATCH (f:Foon {name: 'foon-kg'})
 UNWIND $objects AS row
@@ -14,3 +15,4 @@ MERGE (l)-[:LABEL_OF]->(f)
 WITH l, objects
 UNWIND objects AS o
 CREATE (o)-[:CALLED]->(l)
+RETURN o.key AS key

@@ -1,5 +1,7 @@
-// Takes units away, and the object nodes that no other unit has, with the reference trees that are kept for them.
+// Takes units away, and the object nodes that no other unit has, with the reference trees that are kept for them. Of each of
+// these nodes the states are told.
 // param: keys LIST<STRING>
+// column: states
 // mode: write
 UNWIND $keys AS key
 MATCH (m:Motion {key: key})
@@ -16,4 +18,6 @@ CALL (o) {
   MATCH (o)<-[:ANSWERS]-(p:Plan)
   DETACH DELETE p
 }
+WITH o, o.states AS states
 DETACH DELETE o
+RETURN states

@@ -34,6 +34,29 @@ def test_what_a_video_showed_is_counted_no_longer_once_it_is_replaced_or_removed
     assert count(connection) == in_memory(shorter)
 
 
+def test_states_are_counted_with_each_load_and_not_looked_for(connection):
+    load(connection, [salad, omelette])
+    with connection.session(writing=True) as session:
+        found = session.run(
+            "MATCH (f:Foon) UNWIND range(0, size(f.states) - 1) AS place "
+            "RETURN f.states[place] AS state, f.state_objects[place] AS objects"
+        ).values()
+        counted = session.run(
+            "MATCH (o:Object) UNWIND o.states AS state RETURN state, count(*) ORDER BY state"
+        ).values()
+        assert found == counted
+        session.run("MATCH (f:Foon) SET f.states = ['hot'], f.state_objects = [1]").consume()
+    assert count(connection).states == 1
+
+
+def test_states_that_nobody_counted_are_looked_for_and_stay_uncounted(connection):
+    load(connection, [salad])
+    with connection.session(writing=True) as session:
+        session.run("MATCH (f:Foon) REMOVE f.states, f.state_objects").consume()
+    load(connection, [omelette])
+    assert count(connection) == in_memory(salad, omelette)
+
+
 @settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(foons())
 def test_any_foon_is_counted_as_in_memory(connection, subgraphs):

@@ -194,7 +194,9 @@ def _learn_some(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: s
 
 
 def _end_learning(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: str) -> None:
-    _writer(transaction, kitchen, mark).record(methods_key())
+    writer = _writer(transaction, kitchen, mark)
+    writer.recount()
+    writer.record(methods_key())
 
 
 def _contents(transaction: neo4j.ManagedTransaction, names: Sequence[str]) -> dict[str, str]:

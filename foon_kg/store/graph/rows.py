@@ -121,9 +121,16 @@ class SomethingRow:
 
 @dataclass(frozen=True)
 class KeyRow:
-    """The key of one unit."""
+    """The key of one unit or object node."""
 
     key: str
+
+
+@dataclass(frozen=True)
+class StatesRow:
+    """The states of one object node."""
+
+    states: list[str]
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ unit is swept away while another program refers to it.
 from __future__ import annotations
 
 import dataclasses
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain
@@ -47,6 +48,7 @@ class Writer:
         self._counts = WordCounts(kitchen.is_utensil)
         self._learner = Learner(self._ask, teach or partial(taught_by, kitchen=kitchen))
         self._doubtful: set[str] = set()
+        self._states: Counter[str] = Counter()
         self._words: set[str] = set()
         """Names of what comes, which may be foods without a point, and of what goes, which nobody may use any more."""
         self.state = next(iter(self._ask(cypher.WRITING_TURN)), None)
@@ -58,7 +60,9 @@ class Writer:
         units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
         nodes = {node for unit in units.values() for node in (*unit.input_nodes, *unit.output_nodes)}
         self._ask(cypher.LOAD_VIDEOS, videos=[_video_row(subgraph) for subgraph in subgraphs])
-        self._ask(cypher.LOAD_OBJECTS, objects=self._object_rows(nodes))
+        by_key = {node.key: node for node in nodes}
+        for row in self._ask(cypher.LOAD_OBJECTS, objects=self._object_rows(nodes)):
+            self._states.update(by_key[row.key].states)
         new = self._ask(cypher.LOAD_UNITS, units=[_unit_row(units[key]) for key in sorted(units)])
         self._ask(cypher.LOAD_SIGHTINGS, sightings=[row for s in subgraphs for row in _sighting_rows(s)])
         self._ask(cypher.LOAD_NEXT, videos=[_steps_row(subgraph) for subgraph in subgraphs])
@@ -89,7 +93,9 @@ class Writer:
         self._counts.count(gone, weight=-1)
         self._learner.unlearn(gone, self._doubtful)
         if gone:
-            self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in rows])
+            for swept in self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in rows]):
+                self._states.subtract(swept.states)
+        self._count_states()
         foods, motions = list(self._counts.seen_as()), list(self._counts.made_by())
         verbs = list(self._counts.gatherings())
         self._words.update(chain.from_iterable((row.label, row.state) for row in foods))
@@ -104,6 +110,10 @@ class Writer:
             self._ask(cypher.SWEEP_WORDS, words=sorted(self._words))
         self._write_vectors()
 
+    def _count_states(self) -> None:
+        if rows := [{"state": state, "count": count} for state, count in sorted(self._states.items()) if count]:
+            self._ask(cypher.COUNT_STATES, rows=rows)
+
     def write_anew(self) -> None:
         """Write the whole FOON again, for another kitchen than the one that the graph was written with."""
         names = [row.name for row in self._ask(cypher.VIDEO_NAMES)]
@@ -111,7 +121,12 @@ class Writer:
         self._ask(cypher.CLEAR)
         self.add(subgraphs)
         self.finish()
+        self.recount()
         self.record(methods_key())
+
+    def recount(self) -> None:
+        """Count what each load adds to, where nobody counted it yet, or what was counted is gone."""
+        self._ask(cypher.RECOUNT_STATES)
 
     def forget_methods(self, most: int) -> bool:
         """Take away some of what was learnt, at ``most`` so many nodes; return whether there was any."""

@@ -53,13 +53,14 @@ class Staged(StagedRecipes):
         """Make videos."""
         self.insert("Video", ((row["name"], row["content"], joined(row["sources"])) for row in videos))
 
-    def load_objects(self, objects: Rows) -> None:
-        """Make object nodes that are not there yet."""
+    def load_objects(self, objects: Rows) -> list[KeyRow]:
+        """Make object nodes that are not there yet, and return their keys."""
         columns = [named(column) for column in nodes_of("Object").columns]
-        new = self.new("Object", (tuple(cell(row[name]) for name in columns) for row in objects))
+        new = list(self.new("Object", (tuple(cell(row[name]) for name in columns) for row in objects)))
         labels = {row["key"]: row["label"] for row in objects}
         ids = self.merged("Label", labels.values())
         self.insert("Object_CALLED_Label", ((number, ids[labels[key]]) for key, number in new))
+        return [KeyRow(key) for key, _ in new]
 
     def load_units(self, units: Rows) -> list[KeyRow]:
         """Make units that are not there yet, and return their keys."""
@@ -195,6 +196,9 @@ class Staged(StagedRecipes):
                 for row in rows
             ],
         )  # fmt: skip
+
+    def count_states(self, rows: Rows) -> None:
+        """Count nothing: what was imported is counted at once."""
 
     def usual_foods(self, rows: Rows) -> None:
         """Leave ``rows`` to :meth:`finish`: what is most often done to what is known at the end."""
