@@ -250,8 +250,9 @@ class Component:
 
     Its foods are those of which a recipe says that they are for one of ``parts``; else, where the dish is called so and
     the component is ``guessed`` from that, the last of ``body``. With them come those of ``neighbours`` that are listed
-    beside them. ``beside`` are foods of which each list leaves one for the rest. ``at`` is where it joins, ``by`` the
-    stage at which it does.
+    beside them. Else they are listed after all of ``after`` around one of ``again`` that was listed before.
+    ``beside`` are foods of which each list leaves one for the rest. ``at`` is where it joins, ``by`` the stage at which
+    it does.
     """
 
     technique: Technique
@@ -262,6 +263,8 @@ class Component:
     at: str
     by: str
     guessed: bool
+    again: tuple[Foods, ...] = ()
+    after: tuple[Foods, ...] = ()
 
 
 @cache
@@ -277,6 +280,8 @@ def components() -> tuple[Component, ...]:
             row["at"],
             row["by"],
             "called" in row,
+            tuple(map(Foods.read, row.get("again", ()))),
+            tuple(map(Foods.read, row.get("after", ()))),
         )
         for name, row in shipped("components")["components"].items()
     )

@@ -335,6 +335,27 @@ class Bench:
         self.emit(attested, [target, *source, stuff], change, [target, part, stuff])
         return part
 
+    def part(
+        self, whole: Stuff, labels: Sequence[str], states: tuple[str, ...], attested: Attested, place: str
+    ) -> dict[str, Stuff]:
+        """Open a food that comes apart into what is called ``labels``, each in a ``place`` of its own; return these."""
+        store = whole.at
+        parts = {
+            label: Stuff(label, self.number(), states, (label,), whole.wants, self.vessel(place)) for label in labels
+        }
+        places = [part.at for part in parts.values() if part.at is not None]
+
+        def change() -> None:
+            if store is not None:
+                store.contents.remove(whole)
+            for part in parts.values():
+                if part.at is not None:
+                    part.at.contents.append(part)
+
+        outputs: list[Thing] = [thing for pair in zip(places, parts.values(), strict=True) for thing in pair]
+        self.emit(attested, [*places, *([store] if store is not None else []), whole], change, outputs)
+        return parts
+
     def cooling(self, foods: Sequence[str]) -> Attested | None:
         """Return the evidence of how foods cool by themselves."""
         ways = [way for motion in sorted(word_list("cools")) for way in self.operators.ways_of(motion) if not way[1]]

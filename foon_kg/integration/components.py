@@ -7,12 +7,14 @@ beside what.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from foon_kg.food import Tables, words
+from foon_kg.food import Tables, singular, words
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Component, Foods, Technique, components, works
+from foon_kg.integration.course import HEATS, MIXES
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.patterns import line_with, with_line, with_replaced
 from foon_kg.integration.places import NATURAL
@@ -106,7 +108,24 @@ class _Finder:
         elif not found and component.guessed and component.technique.is_called(self.dish_type, self.told):
             bodies = [place for place, want in self.listed.items() if _are(component.body, want, around)]
             found = {place for place in bodies[-1:] if not self.listed[place].part}
+        if not found and component.again and component.technique.is_called(self.dish_type, self.told):
+            return self._listed_again(component, around)
         return self._with_neighbours(found, component, around) if found else found
+
+    def _listed_again(self, component: Component, around: Around) -> set[int]:
+        """Return the places around a food that a recipe lists a second time, once all else of its dish is named."""
+        first = max((place for place, want in self.listed.items() if _are(component.after, want, around)), default=None)
+        if first is None:
+            return set()
+        seen = {singular(want.label) for place, want in self.listed.items() if place <= first}
+        for place in sorted(place for place in self.listed if place > first):
+            want = self.listed[place]
+            if singular(want.label) in seen and not want.part and _are(component.again, want, around):
+                found = self._with_neighbours({place}, component, around)
+                if _have(component.technique.needs, [self.listed[one] for one in found], around):
+                    return found
+            seen.add(singular(want.label))
+        return set()
 
     def _with_neighbours(self, places: set[int], component: Component, around: Around) -> set[int]:
         """Return places with those after them, and before them if need be, of foods that belong to the same."""
@@ -154,11 +173,12 @@ def _with_side(
     component = side.component
     own = [Join(want, _NOWHERE, NATURAL - 0.01) for want in side.wants]
     target = stage_of(component.by)
+    beside = [join for join in joins if any(join.want.of == want.of for want in side.wants if want.of is not None)]
     found: Sequence[Join] = own
     if component.technique.lines:
         made, found = carried_out(component.technique, own, told, known)
         target = replace(target, adds=(made,))
-    whole, at, became = _attached(line, target, component.at)
+    whole, at, became = _folded(line, target, beside) or _attached(line, target, component.at)
     if at is not target:
         became[id(target)] = at
     spots = {id(spot.stage): spot for spot in spots_of(whole)}
@@ -198,6 +218,25 @@ def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int
     done = stages[: len(stages) - len(rest)]
     cool = () if at != "cooled" or (done and "wait" in done[-1].does) else (stage_of("cool"),)
     return Line((*done, *cool, *rest, target)), target, {}
+
+
+def _folded(line: Line, target: Stage, beside: Sequence[Join]) -> tuple[Line, Stage, dict[int, Stage]] | None:
+    """Return a line in which one part of a food comes to the other where that is mixed last before it is heated.
+
+    ``beside`` is where the other joins; ``None`` where there is none.
+    """
+    if not beside:
+        return None
+    spot = beside[0].spot
+    cold = list(itertools.takewhile(lambda stage: stage.does.isdisjoint(HEATS), (spot.stage, *spot.after)))
+    mixing = next((stage for stage in reversed(cold) if not stage.does.isdisjoint(MIXES)), None)
+    became: dict[int, Stage] = {}
+    if mixing is None:
+        (add,) = target.adds
+        whole, became = with_line(line, spot.stage, add if isinstance(add, Line) else Line((target,)))
+        return whole, became[id(spot.stage)], became
+    target = replace(target, vessel=mixing.vessel, relation=mixing.relation, label=mixing.label or target.label)
+    return _with_next(line, mixing, target, became), target, became
 
 
 def _with_next(line: Line, stage: Stage, target: Stage, became: dict[int, Stage]) -> Line:

@@ -181,8 +181,7 @@ class Cooking:
         for place, stage in enumerate(line.stages):
             later = (*line.stages[place + 1 :], *after)
             for add in stage.adds:
-                late = self.stages.waits_for_sauce(stage) and isinstance(add, Line) and self.stages.is_drained(add)
-                if isinstance(add, Line) and self.course.alive(add) and not late:
+                if isinstance(add, Line) and self.course.alive(add) and not self.stages.is_made_late(stage, add):
                     made = self._run(add, after=(stage, *later))
                     if made is not None:
                         subs[id(add)] = made
@@ -211,12 +210,11 @@ class Cooking:
         return vessel
 
     def _boil_now(self, stage: Stage, vessel: Vessel | None, subs: dict[int, Vessel], later: Sequence[Stage]) -> None:
-        """Boil what waited for the sauce that it joins now; meanwhile that is off the heat."""
-        if not self.stages.waits_for_sauce(stage):
-            return
-        beside = [add for add in stage.adds if isinstance(add, Line) and self.stages.is_drained(add)]
+        """Make what waited until now, and boil what waited for its sauce; meanwhile that is off the heat."""
+        beside = [add for add in stage.adds if isinstance(add, Line) and self.stages.is_made_late(stage, add)]
         lines = [line for line in beside if id(line) not in subs and self.course.alive(line)]
-        joins = [join for join in self.course.ordered(stage) if join.want.number in self.boiled_late]
+        waits = self.stages.waits_for_sauce(stage)
+        joins = [join for join in self.course.ordered(stage) if waits and join.want.number in self.boiled_late]
         if vessel is not None and (lines or joins):
             self.bench.heat_off(vessel)
         for line in lines:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import cast
 
 from foon_kg.food import singular
+from foon_kg.food.parted import parts_asked
 from foon_kg.food.told_states import in_turn
 from foon_kg.integration.bench import Bench, Done, Stuff
 from foon_kg.integration.cooking import Cooking
@@ -96,7 +97,8 @@ def _states(bench: Bench, cooking: Cooking, wants: Sequence[Want]) -> Iterator[S
         if ready is None:
             continue
         for state in in_turn(want.told or want.asked):
-            if (singular(want.label), state) not in shown:
+            names = (singular(want.label), *parts_asked(want.label, want.facts, state))
+            if all((name, state) not in shown for name in names):
                 yield Substitution("state", want.label, state, _state_now(bench, ready.stuff, want), _READ)
 
 

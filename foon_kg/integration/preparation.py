@@ -61,7 +61,8 @@ class Want:
     ``at_hand``: somebody has it in the asked state. ``then`` is what is made of it once it is cooked (mashed).
     ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes out of an oven. ``part`` is
     for what of the dish the recipe says that it is, ``places`` are those at which it lists it. ``told`` are the asked
-    states where there are several (:func:`~foon_kg.food.told_states.in_turn`).
+    states where there are several (:func:`~foon_kg.food.told_states.in_turn`). ``of`` is the food that comes apart
+    when it is opened, and of which this is a part.
     """
 
     number: int
@@ -81,6 +82,7 @@ class Want:
     roasted: bool = False
     part: str = ""
     told: str = ""
+    of: Want | None = None
     places: tuple[int, ...] = field(default=(), compare=False)
 
     @property

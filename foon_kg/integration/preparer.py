@@ -10,7 +10,8 @@ from collections.abc import Sequence
 
 from foon_kg.food import Level, words
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import RefusedError
+from foon_kg.food.parted import parts_in
+from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.cutting import BOWL, Cutter
 from foon_kg.integration.operators import Attested, Way, form_of
 from foon_kg.integration.preparation import (
@@ -41,6 +42,10 @@ _OPEN = "open"
 class Preparer(Cutter):
     """Prepares foods on a bench."""
 
+    def __init__(self, bench: Bench) -> None:
+        super().__init__(bench)
+        self._parts: dict[str, Stuff] = {}
+
     def prepare(self, want: Want, form: Sequence[str] = (), *, divided: bool = True, alone: bool = True) -> Ready:
         """Return the food as it can join: opened, peeled and cut as it is asked, as ``form`` says and as it needs.
 
@@ -54,10 +59,10 @@ class Preparer(Cutter):
         pieces = self._comes_in_pieces(want, cut)
         worked = pieces and self._way_so(want, cut) is not None
         pieces = pieces and not worked
-        ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], want.storage))
+        ready = Ready(want, self._taken(want))
         if want.bought_so:
             ready.assumptions.append(f"no step of this FOON makes {want.label} {', '.join(want.leaf)}: it is bought so")
-        if want.foamed:
+        if want.foamed or want.of is not None:
             return ready
         if "shell" in due and self.opening(want) is not None:
             ready.whole_shell = True
@@ -81,6 +86,21 @@ class Preparer(Cutter):
         self._divide(ready, cut, alone=alone)
         ready.cut_later = want.then or ready.cut_later
         return ready
+
+    def _taken(self, want: Want) -> Stuff:
+        """Return a food as the kitchen has it; of one that comes apart the part that is meant, in a bowl of its own."""
+        whole = want.of
+        if whole is None:
+            return self.bench.fetch(want.label, want.leaf, [want.number], want.storage)
+        if want.label not in self._parts:
+            attested = self.opening(whole)
+            if attested is None:
+                raise RefusedError(f"nothing opens {whole.label}")
+            stuff = self.bench.fetch(whole.label, whole.leaf, [whole.number], whole.storage)
+            self._parts |= self.bench.part(stuff, parts_in(whole.label), (whole.asked,), attested, BOWL)
+        stuff = self._parts.pop(want.label)
+        stuff.wants = frozenset({want.number})
+        return stuff
 
     def _divide(self, ready: Ready, cut: str, *, alone: bool) -> None:
         """Cut a food as it is asked or as it needs, now or once it is cooked."""

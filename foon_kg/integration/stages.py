@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.parted import PART
 from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
@@ -30,6 +31,15 @@ class Stages:
     def waits_for_sauce(self, stage: Stage) -> bool:
         """Whether what is boiled and drained joins a sauce that cooks before: it is boiled when that is ready."""
         return isinstance(stage, Phase) and stage.bath and not self.plan.one_pot
+
+    def is_made_late(self, stage: Stage, line: Line) -> bool:
+        """Whether what joins a stage is made just before it: what waits for a sauce, and a foam, which falls."""
+        return (self.waits_for_sauce(stage) and self.is_drained(line)) or self._falls(line)
+
+    def _falls(self, line: Line) -> bool:
+        """Whether a line beats to a foam what came apart when it was opened."""
+        joins = [join for stage in line.stages for join in self.course.ordered(stage)]
+        return any("whip" in stage.does for stage in line.stages) and any(join.want.part == PART for join in joins)
 
     def is_drained(self, line: Line) -> bool:
         """Whether a line ends in a strainer."""
@@ -75,6 +85,7 @@ class Stages:
             return False
         facts = [one.want.facts for one in stuffs if isinstance(one, Join)]
         wet = any(one.is_a(*word_list("wets the pan")) for one in facts)
+        wet = wet or any(one.want.squeezed for one in stuffs if isinstance(one, Join))
         solid = any(not one.is_a(*word_list("only flavours")) for one in facts)
         return solid and not wet and not any(isinstance(one, Vessel) for one in stuffs)
 

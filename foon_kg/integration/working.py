@@ -358,7 +358,7 @@ class Worker:
         facts = self.known.foods.food(label, stage.states)
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
         if not label or label in self.known.dishes or not facts.is_a("made", "dough"):
-            return ""
+            return vessel.contents[0].label if self._foams(stage, vessel) else ""
         if not all(
             any(meets(need, food, self.known) for need in needs for food in foods)
             for needs in self.known.contains.get(label, ())
@@ -419,7 +419,7 @@ class Worker:
         if ("blend" in does and "mix" not in stage.does) or way[0] == "blend":
             states.add("blended")
         elif not does.isdisjoint({"mix", "whip"}) and stage.does != {"shape"}:
-            states.add("mixed")
+            states |= set(stage.states) if self._foams(stage, vessel) else {"mixed"}
         if "knead" in does:
             states.add("kneaded")
         states |= self._heated(way, finished=finished)
@@ -436,6 +436,11 @@ class Worker:
             states |= set(able[:1]) if states.isdisjoint(able) else set()
             states |= set(vessel.contents[0].states) if len(vessel.contents) == 1 else set()
         return tuple(sorted(states))
+
+    def _foams(self, stage: Stage, vessel: Vessel) -> bool:
+        """Whether one food is beaten by itself to a foam, and is called as before."""
+        foam = not word_list("is beaten to a foam").isdisjoint(stage.states)
+        return foam and len(vessel.contents) == 1 and not vessel.contents[0].mixed
 
     def given_by(self, way: Way) -> list[str]:
         """Return the states that a way gives without heat, first the one called like it (shaped, not leveled)."""

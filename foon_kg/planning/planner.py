@@ -17,11 +17,12 @@ from typing import NamedTuple
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.named import named_by
+from foon_kg.food.parted import parts_asked
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.choice import Fit, fits, refusals, shortlisted
+from foon_kg.integration.apart import apart
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.called import Called, arranged
-from foon_kg.integration.components import sides_of
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
@@ -30,7 +31,6 @@ from foon_kg.integration.named import with_unheeded
 from foon_kg.integration.parts import parts_of
 from foon_kg.integration.places import Joiners, Matcher
 from foon_kg.integration.preparation import as_there, wants_of
-from foon_kg.integration.techniques import technique_for
 from foon_kg.integration.warmed import can_be_warmed
 from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
@@ -173,8 +173,7 @@ class _Question:
         self.known = planner.known
         self.recipe, _ = without_avoided(recipe, self.settings.avoided)
         refuse_unknown_type(recipe.dish_type)
-        title = recipe.title or ""
-        asked = [one for one in self.recipe.ingredients if one.object]
+        title, asked = recipe.title or "", [one for one in self.recipe.ingredients if one.object]
         self.teaching = planner.teaching_for(_names_of(asked, self.known), recipe.dish_type)
         self.methods = self.teaching.methods
         wants = wants_of(asked, self.known, self.methods.operators, title)
@@ -184,15 +183,16 @@ class _Question:
         self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in wants)
         recorded = self.methods.outlines.taught(recipe.dish_type, self.known)
         whole = Asked(self.wants, recipe.dish_type, title, self.known)
-        own, self.sides = sides_of(self.wants, whole.dishes, recipe.dish_type, title, baked=whole.baked)
+        made = apart(self.wants, recipe, whole.dishes, recorded, self.known, baked=whole.baked)
+        foods, own, self.sides, self.technique = made
         self.asks = named_by(title, recipe.dish_type, [(want.label, want.facts) for want in self.wants])
-        self.technique = technique_for(recipe.dish_type, words(title), own, recorded)
         strewn = any(side.component.at == "before" for side in self.sides)  # then nothing else is strewn on it
-        self.baked, self.parts = parts_of(own, recipe.dish_type, title, _named_twice(asked), self.known, strewn=strewn)
+        twice = _named_twice(asked) - {singular(want.label) for side in self.sides for want in side.wants}
+        self.baked, self.parts = parts_of(own, recipe.dish_type, title, twice, self.known, strewn=strewn)
         if self.technique is not None:  # it says itself what is put on what
             self.baked, self.parts = own, ()
-        self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
-        self.matcher = Matcher(self.methods.posts, self.likes.in_slot, self.wants, self.teaching.joiners)
+        self.likes: RecipeLikes = self.teaching.likes.of_recipe(foods)
+        self.matcher = Matcher(self.methods.posts, self.likes.in_slot, foods, self.teaching.joiners)
 
     @cached_property
     def best(self) -> Attempt:
@@ -377,7 +377,9 @@ class _Question:
 def _names_of(asked: Sequence[RequiredIngredient], known: Tables) -> Collection[str]:
     """Return the foods that are asked, each once, and what the food table takes them for."""
     names = [singular(one.object) for one in asked]
-    names += [known.foods.food(one.object, [one.state]).taken_for for one in asked]
+    for one in asked:
+        facts = known.foods.food(one.object, [one.state])
+        names += [facts.taken_for, *parts_asked(one.object, facts, one.state)]
     return dict.fromkeys(filter(None, names))
 
 

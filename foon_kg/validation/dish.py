@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Match, is_unbaked, singular, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.parted import parts_asked
 from foon_kg.food.rows import Dish
 from foon_kg.food.told_states import in_turn
 from foon_kg.model import ObjectNode, RequiredIngredient
@@ -164,6 +165,7 @@ def asked(case: Case) -> Iterator[Finding]:
     """K6: every asked food is in the dish, and mixed in where the rest is mixed; what is for serving is not cooked."""
     if case.dish is None:
         return
+    yield from _unparted(case)
     beside = _for_serving(case)
     mixing = [part.mixed for part in case.parts if part.mixed is not None]
     for food in sorted(case.required_names):
@@ -175,6 +177,17 @@ def asked(case: Case) -> Iterator[Finding]:
                 yield Finding("K6", f"{food} is for serving and is cooked with the rest", parts[0].heated)
         elif parts and mixing and all(_left_out(case, part, max(mixing)) for part in parts) and _mixes(case):
             yield Finding("K6", f"{food} is not mixed with the rest", parts[0].joined)
+
+
+def _unparted(case: Case) -> Iterator[Finding]:
+    """Yield what is asked in its two parts, which are never apart from each other."""
+    labels = {singular(node.label) for node in case.tree.nodes}
+    for wanted in sorted(set(case.required)):
+        food = singular(wanted.object)
+        parts = parts_asked(food, case.tables.foods.food(food), wanted.state)
+        if not labels.issuperset(parts):
+            reason = f"{wanted.object} is asked {wanted.state}, and {names(parts)} are never apart"
+            yield Finding("K6", reason, minor=True)
 
 
 def _for_serving(case: Case) -> frozenset[str]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from foon_kg.food import singular, words
+from foon_kg.food.parted import parts_asked
 from foon_kg.food.told_states import in_turn
 from foon_kg.model import DISH_TYPES, ObjectNode
 from foon_kg.validation.case import Case, was_taken_out
@@ -141,12 +142,18 @@ def complete(case: Case) -> Iterator[Finding]:
         food = singular(wanted.object)
         told = {state for name, state in declared if name == food}
         for state in in_turn(wanted.state) or ("",):
-            is_shown = food in shown and (not state or state in shown[food])
+            is_shown = food in shown and (not state or state in shown[food] | _shown_of_parts(case, food, state, shown))
             if not is_shown and state not in told:
                 so = f" in the state “{state}”" if state else ""
                 yield Finding("C4", f"no node of the tree is {wanted.object}{so}, as required")
         if food not in case.parts_by_name and not was_taken_out(case, food):
             yield Finding("C4", f"{wanted.object} is required and is not in the goal", None, _one(case.goal))
+
+
+def _shown_of_parts(case: Case, food: str, state: str, shown: Mapping[str, set[str]]) -> set[str]:
+    """Return in which states both parts are that a food comes apart into, where it is asked in its parts."""
+    parts = parts_asked(food, case.tables.foods.food(food), state)
+    return set.intersection(*(shown.get(part, set()) for part in parts)) if parts else set()
 
 
 def nothing_else(case: Case) -> Iterator[Finding]:

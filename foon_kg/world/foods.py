@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 from foon_kg.model import ObjectNode
@@ -19,6 +20,19 @@ def settle(out: Outcome) -> None:
     for place in foods:
         if place not in known:
             _make(out, place)
+    if out.happening.does("open"):
+        _use_up(out)
+
+
+def _use_up(out: Outcome) -> None:
+    """Let what was opened be gone where it comes apart into several foods: no second egg is in a shell."""
+    origins = Counter(part.origin for lump in out.happening.made for part in lump.parts)
+    for lump in out.happening.inputs:
+        apart = all(origins[part.origin] > 1 for part in lump.parts)
+        if apart and not lump.gone and id(lump) not in out.mapped:
+            lump.gone = True
+            out.supply.put(lump, None)
+            out.mapped.add(id(lump))
 
 
 def _is_same(out: Outcome, place: int) -> bool:

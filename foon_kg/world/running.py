@@ -21,5 +21,8 @@ def is_runny(label: str, states: Sequence[str], parts: Sequence[str], known: Tab
         facts = known.foods.food(label, states)
         return facts.is_a("liquid") and not facts.is_a("creamy")
     foods = [known.foods.food(name) for name in parts]
+    heated = any(known.state(state).needs_heat for state in states)
+    if heated and any(food.is_a(*word_list("sets what is heated with it")) for food in foods):
+        return False
     wet = any(food.is_a("liquid", "water") and not food.is_a("fat") for food in foods)
     return wet and all(food.is_a(*word_list("runs in a mixture")) for food in foods)

@@ -335,6 +335,18 @@ def test_k6_food_that_lies_beside_on_the_same_plate_is_in_the_dish():
     assert found("K6", text + lines(served("salad", "tomato", "salt"), beside)) == []
 
 
+def test_k6_what_is_asked_in_two_parts_comes_apart():
+    asked = recipe("cake", "egg (separated); sugar")
+    whole = "egg (whole) + bowl (empty) → CRACK → egg (cracked; in bowl) + bowl ({egg})"
+    told = found("K6", lines(asked, whole, served("cake", "egg", "sugar")))
+    assert told == ["K6 (minor): egg is asked separated, and egg white, egg yolk are never apart"]
+    apart = (
+        "egg (whole) + bowl (empty) + cup (empty) → CRACK → egg yolk (separated; in bowl) + bowl ({egg yolk})"
+        " + egg white (separated; in cup) + cup ({egg white})"
+    )
+    assert found("K6", lines(asked, apart, served("cake", "egg white", "egg yolk", "sugar"))) == []
+
+
 def test_k6_without_a_dish_nothing_is_asked():
     assert found("K6", recipe("salad", "leek") + f"goal: soup\n{ONE_TOMATO}") == []
 

@@ -360,6 +360,20 @@ egg (whole) + bowl (empty) → CRACK → egg (cracked; in bowl) + bowl ({egg})
         asked=("egg", "egg"),
     ),
     story(
+        "what comes apart when it is opened is two foods, and is in its shell no more",
+        """
+egg (whole) + bowl (empty) + cup (empty) → CRACK
+  → egg yolk (separated; in bowl) + bowl ({egg yolk}) + egg white (separated; in cup) + cup ({egg white})
+egg (whole) + pot (empty) → CRACK → egg (cracked; in pot) + pot ({egg})
+""",
+        [
+            "bowl: egg yolk (separated) of egg",
+            "cup: egg white (separated) of egg",
+            "pot: egg (cracked)",
+            "W1 step 2 egg (whole): there is no second egg: it is whole since step 1",
+        ],
+    ),
+    story(
         "what lies free is found in the place where it is looked for in a store",
         """
 tomato (whole) + knife → WASH → tomato (washed)
