@@ -18,7 +18,9 @@ _IRREGULAR = {
 _PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
 _NO_PLURAL = ("ss", "us", "is")
 _SHORT = 3
-_USE = re.compile(r"[,(]?\s*(?<!more )(?<!extra )\b(?:for|to) (?:the |an? )?(?P<words>[a-z][a-z -]*)\)?", re.IGNORECASE)
+_BESIDES = re.compile(r"\bplus\b|\b(?:more|extra|some)(?= (?:for|to)\b)", re.IGNORECASE)
+"""What follows this is a little more of a food, beside what all the rest is for."""
+_USE = re.compile(r"[,(]?\s*\b(?:for|to) (?:the |an? )?(?P<words>[a-z][a-z -]*)\)?", re.IGNORECASE)
 _USES = {"serve": "serving", "garnish": "garnish", "finish": "finishing", "decorate": "garnish"}
 """What is said with "to", and for what a food is then."""
 
@@ -83,7 +85,8 @@ def without_part(text: str) -> tuple[str, str]:
     >>> without_part("2 cups flour, plus extra for dusting")[1]
     ''
     """
-    for use in _USE.finditer(text):
+    besides = _BESIDES.search(text)
+    for use in _USE.finditer(text) if besides is None else _USE.finditer(text, 0, besides.start()):
         said = use["words"].lower().split()
         found = next((word for word in said if word in _named()), _USES.get(said[0], ""))
         if found:

@@ -31,28 +31,32 @@ def apart(
     wants: Sequence[Want],
     recipe: Recipe,
     dishes: Sequence[Dish],
-    recorded: Collection[Sequence[str]],
+    recorded: Sequence[tuple[str, Collection[str]]],
     known: Tables,
     *,
     baked: bool,
 ) -> Apart:
     """Return how the foods of a recipe are parted. What is asked separated is so where one part is beaten by itself.
 
-    ``dishes`` are those that it is called; ``recorded`` are the words of what the videos of its type make; ``baked``:
-    it comes out of an oven.
+    ``dishes`` are those that it is called; ``recorded`` is what the videos of its type make, each with its foods;
+    ``baked``: it comes out of an oven.
     """
-    whole, dish_type, title = tuple(wants), recipe.dish_type, recipe.title or ""
-    for foods in dict.fromkeys((tuple(_in_parts(whole, known)), whole)):
-        technique = technique_for(dish_type, words(title), foods, recorded)
-        lines = technique.lines if technique is not None else {}
-        kept = tuple(want for want in foods if want.part == PART and PART in lines)
-        own, sides = sides_of([want for want in foods if want not in kept], dishes, dish_type, title, baked=baked)
+    for foods in dict.fromkeys((tuple(_in_parts(wants, known)), tuple(wants))):
+        technique = technique_for(recipe.dish_type, words(recipe.title or ""), foods, recorded)
+        kept = _foam(foods, technique)
+        rest = [want for want in foods if want not in kept]
+        own, sides = sides_of(rest, dishes, recipe.dish_type, recipe.title or "", baked=baked)
         own = (*own, *kept)
-        technique = technique_for(dish_type, words(title), own, recorded)
+        technique = technique_for(recipe.dish_type, words(recipe.title or ""), own, recorded)
         found = Apart(foods, own, sides, technique)
-        if foods is whole or _has_foam(found):
+        if _has_foam(found):
             break
     return found
+
+
+def _foam(foods: Sequence[Want], technique: Technique | None) -> tuple[Want, ...]:
+    """Return what is beaten by itself where a technique has a line for it."""
+    return tuple(want for want in foods if technique is not None and want.part == PART in technique.lines)
 
 
 def _in_parts(wants: Sequence[Want], known: Tables) -> Iterator[Want]:
@@ -79,4 +83,4 @@ def _has_foam(found: Apart) -> bool:
     """Whether what is beaten by itself joins a component, or a line of the technique that is for it."""
     if any(want.part == PART for side in found.sides for want in side.wants):
         return True
-    return found.technique is not None and PART in found.technique.lines
+    return bool(_foam(found.own, found.technique))

@@ -114,18 +114,23 @@ class _Finder:
 
     def _listed_again(self, component: Component, around: Around) -> set[int]:
         """Return the places around a food that a recipe lists a second time, once all else of its dish is named."""
-        first = max((place for place, want in self.listed.items() if _are(component.after, want, around)), default=None)
-        if first is None:
-            return set()
-        seen = {singular(want.label) for place, want in self.listed.items() if place <= first}
-        for place in sorted(place for place in self.listed if place > first):
-            want = self.listed[place]
-            if singular(want.label) in seen and not want.part and _are(component.again, want, around):
-                found = self._with_neighbours({place}, component, around)
-                if _have(component.technique.needs, [self.listed[one] for one in found], around):
-                    return found
-            seen.add(singular(want.label))
+        for place in self._once_more(component, around):
+            found = self._with_neighbours({place}, component, around)
+            if _have(component.technique.needs, [self.listed[one] for one in found], around):
+                return found
         return set()
+
+    def _once_more(self, component: Component, around: Around) -> list[int]:
+        """Return where foods that begin a component are listed again, once all that it comes after was."""
+        last = max((place for place, want in self.listed.items() if _are(component.after, want, around)), default=-1)
+        seen: set[str] = set()
+        found = []
+        for place, want in sorted(self.listed.items()):
+            again = singular(want.label) in seen and not want.part
+            if 0 <= last < place and again and _are(component.again, want, around):
+                found.append(place)
+            seen.add(singular(want.label))
+        return found
 
     def _with_neighbours(self, places: set[int], component: Component, around: Around) -> set[int]:
         """Return places with those after them, and before them if need be, of foods that belong to the same."""
@@ -173,12 +178,11 @@ def _with_side(
     component = side.component
     own = [Join(want, _NOWHERE, NATURAL - 0.01) for want in side.wants]
     target = stage_of(component.by)
-    beside = [join for join in joins if any(join.want.of == want.of for want in side.wants if want.of is not None)]
     found: Sequence[Join] = own
     if component.technique.lines:
         made, found = carried_out(component.technique, own, told, known)
         target = replace(target, adds=(made,))
-    whole, at, became = _folded(line, target, beside) or _attached(line, target, component.at)
+    whole, at, became = _folded(line, target, side, joins) or _attached(line, target, component.at)
     if at is not target:
         became[id(target)] = at
     spots = {id(spot.stage): spot for spot in spots_of(whole)}
@@ -220,11 +224,15 @@ def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int
     return Line((*done, *cool, *rest, target)), target, {}
 
 
-def _folded(line: Line, target: Stage, beside: Sequence[Join]) -> tuple[Line, Stage, dict[int, Stage]] | None:
+def _folded(
+    line: Line, target: Stage, side: Side, joins: Sequence[Join]
+) -> tuple[Line, Stage, dict[int, Stage]] | None:
     """Return a line in which one part of a food comes to the other where that is mixed last before it is heated.
 
-    ``beside`` is where the other joins; ``None`` where there is none.
+    ``None`` where ``side`` is no such part.
     """
+    whole_foods = [want.of for want in side.wants if want.of is not None]
+    beside = [join for join in joins if join.want.of in whole_foods]
     if not beside:
         return None
     spot = beside[0].spot

@@ -95,7 +95,7 @@ class Cooking:
         whole = first and not self.alone.is_fried_open(want)
         if whole and "shell" in want.facts.owes and form_of(self.known, want.label, want.leaf) != "liquid":
             taken = self.bench.fetch(want.label, want.leaf, [want.number], want.storage)
-            self.ready[want.number] = self._cut_once_done(Ready(want, taken, whole_shell=True))
+            self.ready[want.number] = self._cut_once_done(Ready(want, taken, whole_shell=True, cut_later=want.then))
             return
         ready = self.preparer.prepare(want, form, divided=not blended, alone=bool(first))
         if first:
@@ -313,7 +313,7 @@ class Cooking:
                 self.work.heat_fat(vessel)
             self._add(stage, vessel, one, on_stove=on_stove)
             on_top = isinstance(one, Join) and one.on_top
-            if merge and self.work.lies_unmixed(vessel) and not on_top and not self.stages.lays(stage, joins):
+            if merge and self.work.lies_unmixed(vessel) and not on_top and not self.stages.lays(stage, joins, later):
                 attested = self.work.stirring(foods_of(vessel))
                 self.bench.work(vessel, attested, self.plan.label, self.work.kept_states(vessel), with_device=False)
             elif merge and (main or len(vessel.contents) > 1):

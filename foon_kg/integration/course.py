@@ -28,7 +28,7 @@ class Plan:
     ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork;
     ``laid``: it lies on dough, and bakes no longer than that; ``portioned``: its dough is cut into pieces;
     ``spooned``: all that is in it is eaten with the spoon; ``drunk``: it is served in a glass;
-    ``closed_by``: what is done at last to bread around what lies on it.
+    ``closed_by``: what is done at last to bread around what lies on it; ``by_table``: a technique says all of it.
     """
 
     label: str
@@ -48,6 +48,7 @@ class Plan:
     spooned: bool = False
     drunk: bool = False
     closed_by: str = ""
+    by_table: bool = False
 
 
 class Course:

@@ -74,8 +74,10 @@ class Stages:
                 return False
         return False
 
-    def lays(self, stage: Stage, joins: Sequence[Join]) -> bool:
-        """Whether the recorded dish lays just such foods on each other and never mixes them: layers."""
+    def lays(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
+        """Whether layers are laid: by a technique, to be chilled, or as the recorded dish lays such foods."""
+        if self.plan.by_table and not stage.motion:
+            return any("wait" in one.does for one in later)
         laid = bool(joins) and all(join.slot is not None and join.slot in stage.adds for join in joins)
         return laid and "wait" in stage.does and not (self.plan.in_pieces or self.plan.drunk)
 
@@ -83,10 +85,9 @@ class Stages:
         """Whether solid food comes into a pan with nothing to cook in."""
         if "dry" in stage.does:
             return False
-        facts = [one.want.facts for one in stuffs if isinstance(one, Join)]
-        wet = any(one.is_a(*word_list("wets the pan")) for one in facts)
-        wet = wet or any(one.want.squeezed for one in stuffs if isinstance(one, Join))
-        solid = any(not one.is_a(*word_list("only flavours")) for one in facts)
+        wants = [one.want for one in stuffs if isinstance(one, Join)]
+        wet = any(want.squeezed or want.facts.is_a(*word_list("wets the pan")) for want in wants)
+        solid = any(not want.facts.is_a(*word_list("only flavours")) for want in wants)
         return solid and not wet and not any(isinstance(one, Vessel) for one in stuffs)
 
     def merges(self, stage: Stage, later: Sequence[Stage], *, main: bool) -> bool:

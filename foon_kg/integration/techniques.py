@@ -162,8 +162,11 @@ class _Placed:
         for foods, part, name in wishes:
             found = [join for join in joins if means(foods, join.want, self.around)]
             if foods.again:
-                found = [join for join in found if taken.get(join.want.number) != name and not join.want.part]
-                more += self._again(found, foods, part, once)
+                found = [join for join in found if taken.get(join.want.number) != name]
+                said = [join for join in found if self._is_for_another(join, told)]
+                once |= {join.want.number: (join, replace(foods, again=False), part) for join in said}
+                found = [join for join in found if not join.want.part]
+                more += self._again(found, foods, part, once) if not said else ()
             for join in found if name not in apart and not foods.again else ():
                 if join.want.number not in once:
                     taken[join.want.number] = name if foods.is_rest else ""  # else two of it are meant: layers
@@ -179,6 +182,10 @@ class _Placed:
         number, told = join.want.number, join.want.part
         _, _, part = min(placed, key=lambda one: (one[0].want.part != told, abs(one[0].want.number - number)))
         return join, Foods(("*",)), part
+
+    def _is_for_another(self, join: Join, told: Collection[str]) -> bool:
+        """Whether a recipe says of a food that it is for a part of the dish which no line is called after."""
+        return bool(join.want.part) and join.want.part not in {_MAIN, *told}
 
     def _again(
         self, found: Sequence[Join], foods: Foods, part: Part, once: dict[int, tuple[Join, Foods, Part]]
@@ -217,15 +224,37 @@ class _Placed:
 
     def _stage(self, part: Part) -> Stage:
         work = works()[part.stage]
-        lines = [line for line in part.lines if line not in self.taken and self._is_used(line)]
-        adds: tuple[Slot | Line, ...] = tuple(map(self.line, lines))
+        adds, lone = self._adds(part)
         over_heat = work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased
         stage = (partial(Phase, bath=work.bath) if over_heat else Stage)(
             (BATH, *adds) if work.bath else adds, work.motion, work.does, work.tools, part.vessel or work.vessel,
             work.relation, work.appliance, work.source, self._label(part, work.label), work.states, 0,
         )  # fmt: skip
         self.stages[id(part)] = stage
+        self.stages |= {id(one): stage for one in lone}
         return stage
+
+    def _adds(self, part: Part) -> tuple[tuple[Slot | Line, ...], list[Part]]:
+        """Return the lines that join a stage, and where the lone foods stand that join it without theirs."""
+        adds: list[Slot | Line] = []
+        alone: list[Part] = []
+        for name in part.lines:
+            if name in self.taken or not self._is_used(name):
+                continue
+            lone = self._lone(name)
+            if lone is None:
+                adds.append(self.line(name))
+            else:
+                alone.append(lone)
+        return tuple(adds), alone
+
+    def _lone(self, name: str) -> Part | None:
+        """Return where the one food joins of a line that would only mix it with nothing; ``None`` for any other."""
+        parts = self.technique.lines[name]
+        here = {id(part) for part in parts}
+        found = [part for _, _, part in self.found if id(part) in here]
+        mixes = all(works()[part.stage].does <= {"mix"} and not part.lines for part in parts)
+        return found[0] if mixes and len(found) == 1 else None
 
     def _label(self, part: Part, usual: str) -> str:
         """Return what a stage makes: "~" is what its first food is called."""

@@ -14,7 +14,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple
 
-from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food import Tables, singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.named import named_by
 from foon_kg.food.parted import parts_asked
@@ -181,9 +181,9 @@ class _Question:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
         self.kitchen = planner.kitchen_for([want.label for want in wants])
         self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in wants)
-        recorded = self.methods.outlines.taught(recipe.dish_type, self.known)
+        taught = self.methods.outlines.taught(recipe.dish_type, self.known)
         whole = Asked(self.wants, recipe.dish_type, title, self.known)
-        made = apart(self.wants, recipe, whole.dishes, recorded, self.known, baked=whole.baked)
+        made = apart(self.wants, recipe, whole.dishes, taught, self.known, baked=whole.baked)
         foods, own, self.sides, self.technique = made
         self.asks = named_by(title, recipe.dish_type, [(want.label, want.facts) for want in self.wants])
         strewn = any(side.component.at == "before" for side in self.sides)  # then nothing else is strewn on it
@@ -266,8 +266,7 @@ class _Question:
         plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased(asked), one_pot=one_pot)
         drunk, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
         plan = replace(plan, drunk=drunk, cold=cold)
-        if self.technique is None:
-            plan = self._as_told(plan, asked, tin)
+        plan = self._as_told(plan, asked, tin) if self.technique is None else replace(plan, by_table=True)
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)

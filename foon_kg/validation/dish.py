@@ -33,6 +33,7 @@ def defined(case: Case) -> Iterator[Finding]:
         return
     yield from _unfinished(case)
     yield from unheeded(case)
+    yield from _stirred_layers(case, case.goal)
     title = case.recipe.title or "" if case.recipe else ""
     for lack in missing(case, case.goal.label, *case.dish_types, title):
         yield Finding("K5", f"“{case.goal.label}” without {lack}", None, (case.goal,))
@@ -44,6 +45,21 @@ def defined(case: Case) -> Iterator[Finding]:
         bought = any(part.food.is_a(dish.name) for part in case.parts)  # bread that somebody dips was baked before
         if dish.baked and not (bought or _baked(case) or is_unbaked(title) or _sets_cold(case, dish)):
             yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (case.goal,))
+
+
+def _stirred_layers(case: Case, goal: ObjectNode) -> Iterator[Finding]:
+    """Yield a dish that is called by its layers, where the last that mixes anything mixes all that is in it."""
+    (last, *others) = {part.mixed for part in case.parts} or {None}
+    together = len(case.parts) > 1 and last is not None and not others
+    for name in _layered(case) if together else ():
+        yield Finding("K5", f"“{name}”, and all of it is stirred together", last, (goal,))
+
+
+def _layered(case: Case) -> list[str]:
+    """Return the first word of the title by which a dish lies in layers, if any."""
+    told = words(case.recipe.title or "") if case.recipe else ()
+    stirred = not word_list("is laid in no layers").isdisjoint(told)
+    return [] if stirred else [word for word in told if word in word_list("is laid in layers")][:1]
 
 
 def _is_never_hot(case: Case, title: str) -> bool:

@@ -15,14 +15,20 @@ def is_runny(label: str, states: Sequence[str], parts: Sequence[str], known: Tab
 
     Of ``parts``, the names of the foods that it was made of, all have to run or to dissolve in one that does.
     """
-    if not (word_list("keeps its shape") | word_list("sets what runs")).isdisjoint(states):
+    if _is_set(states, parts, known):
         return False
     if len(parts) < _SEVERAL:
         facts = known.foods.food(label, states)
         return facts.is_a("liquid") and not facts.is_a("creamy")
     foods = [known.foods.food(name) for name in parts]
-    heated = any(known.state(state).needs_heat for state in states)
-    if heated and any(food.is_a(*word_list("sets what is heated with it")) for food in foods):
-        return False
     wet = any(food.is_a("liquid", "water") and not food.is_a("fat") for food in foods)
     return wet and all(food.is_a(*word_list("runs in a mixture")) for food in foods)
+
+
+def _is_set(states: Sequence[str], parts: Sequence[str], known: Tables) -> bool:
+    """Whether what ran has set: it was shaped or baked so, or heated with what sets then."""
+    if not (word_list("keeps its shape") | word_list("sets what runs")).isdisjoint(states):
+        return True
+    heated = any(known.state(state).needs_heat for state in states)
+    sets = word_list("sets what is heated with it")
+    return heated and any(known.foods.food(name).is_a(*sets) for name in parts)

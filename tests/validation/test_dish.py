@@ -277,6 +277,18 @@ def test_k5_a_step_does_what_the_title_names():
     assert found("K5", turned_over("Plain", "PICK-AND-PLACE")) == []
 
 
+def test_k5_what_lies_in_layers_is_not_all_stirred_together():
+    asked = recipe("pudding", "yogurt; strawberry", "Strawberry Parfait")
+    assert found("K5", lines(asked, served("pudding", "strawberry", "yogurt"))) == [
+        "K5 step 1 pudding ({strawberry, yogurt}; on plate): “parfait”, and all of it is stirred together"
+    ]
+    assert (
+        found("K5", lines(recipe("drinks", "yogurt; milk", "Parfait Shake"), served("drinks", "milk", "yogurt"))) == []
+    )
+    laid = served("pudding", "strawberry", "yogurt").replace("MIX", "POUR").replace(" + spoon", "")
+    assert found("K5", lines(asked, laid)) == []
+
+
 # --- K6 asked ---
 
 
