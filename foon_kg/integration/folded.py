@@ -34,8 +34,10 @@ def folded(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     setting = replace(_SET, adds=(Line((beat,)),))
     stages = (pan, setting, melt, fold, top)
     found = []
+    flesh = any(join.want.facts.is_a(*word_list("is flesh")) and "cook" in join.want.facts.owes for join in joins)
     for join in joins:
-        stage = _stage_of(join, beat, pan, melt, top)
+        thin = not flesh and join.want.facts.is_of(*word_list("runs or melts into eggs"))
+        stage = beat if thin else _stage_of(join, beat, pan, melt, top)
         after = stages[1:] if stage is beat else stages[stages.index(stage) + 1 :]
         spot = replace(join.spot, stage=stage, after=after, side=stage is beat)
         found.append(replace(join, spot=spot, fit=min(join.fit, NATURAL)))

@@ -35,9 +35,10 @@ class Layout:
     """A frame as places: worked out once, whatever is asked.
 
     ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
-    ``bound`` is where foods are mixed that are then shaped as one, and ``pan`` where they are cooked. ``laid`` is where
-    foods are laid on dough that is rolled out, before it is baked. ``turned`` is where what was fried on both sides is
-    served. ``batter`` is where a batter comes together. ``past`` is where other foods join a dish that is boiled and
+    ``bound`` is where foods are mixed that are then shaped as one, and ``pan`` where they are cooked; eggs are
+    beaten at ``beaten`` that set by dry heat. ``laid`` is where foods are laid on dough that is rolled out, before it
+    is baked. ``turned`` is where what was fried on both sides is served. ``batter`` is where a batter comes together.
+    ``past`` is where other foods join a dish that is boiled and
     drained, and no more. ``raw``: something in it is never cooked that has to be. ``dry``: there is nothing like a soup
     in it. ``made`` has what the dish makes on its way, by its words, whether that is a dough and is shaped, and the
     stage that takes it.
@@ -50,6 +51,7 @@ class Layout:
     drained: frozenset[int]
     past: Spot | None
     bound: Spot | None
+    beaten: Spot | None
     pan: Spot | None
     laid: Spot | None
     turned: Spot | None
@@ -110,6 +112,7 @@ class Layout:
             drained,
             _past(spots, drained),
             bound,
+            _beaten(spots, known),
             _pan(spots, bound),
             laid,
             _turned(spots),
@@ -152,6 +155,16 @@ def _bound(spots: Sequence[Spot]) -> Spot | None:
         if spot.post[0] == "shape" and spot.heats_later and "heat" not in spot.stage.does:
             before = [one for one in spots[:number] if one.stage.adds and one.post[0] == "mix" and one.heats_later]
             return before[-1] if before else None
+    return None
+
+
+def _beaten(spots: Sequence[Spot], known: Tables) -> Spot | None:
+    """Return the stage at which eggs are beaten that set by dry heat, in what is no batter."""
+    for spot in spots:
+        foods = [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots]
+        eggs = any(food.is_a("egg") for food in foods) and not any(food.is_a("flour", "leaven") for food in foods)
+        if eggs and spot.post[:2] == ("mix", "later") and not any("liquid" in stage.does for stage in spot.after):
+            return spot
     return None
 
 

@@ -113,10 +113,11 @@ class _Phaser:
     def line(self, line: Line) -> Line:
         stages: list[Stage] = []
         runs = list(self._runs(line))
+        sets = any("shape" in stage.does for stage in line.stages)
         for place, run in enumerate(runs):
             adds = {id(add): self.line(add) for one in run for add in one.adds if isinstance(add, Line)}
             drained = place + 1 < len(runs) and self._strains(runs[place + 1][0])
-            fresh = () if drained else self._phases(run, adds)
+            fresh = () if drained else self._phases(run, adds, sets=sets)
             if not fresh and all(adds[id(add)] is add for one in run for add in one.adds if isinstance(add, Line)):
                 stages += run
                 continue
@@ -168,12 +169,12 @@ class _Phaser:
 
     # --- phases ---
 
-    def _phases(self, run: Sequence[Stage], adds: Mapping[int, Line]) -> tuple[Stage, ...]:
+    def _phases(self, run: Sequence[Stage], adds: Mapping[int, Line], *, sets: bool) -> tuple[Stage, ...]:
         if isinstance(run[0], Phase):
             return ()  # it has its place already
         joins = [join for stage in run for join in self.at.get(id(stage), ())]
         beside = [add for stage in run for add in stage.adds if isinstance(add, Line)]
-        joins += [join for line in beside for join in self._taken_out(line)]
+        joins += [join for line in beside for join in self._taken_out(line, sets=sets)]
         within = [*joins, *(join for line in beside for join in self._foods(line))]
         hot = [stage for stage in run if "heat" in stage.does]
         if not hot or not self._is_over_heat(run[0]) or not self._is_cooked_in_phases(within):
@@ -221,17 +222,18 @@ class _Phaser:
             )
         ]
 
-    def _taken_out(self, line: Line) -> list[Join]:
+    def _taken_out(self, line: Line, *, sets: bool) -> list[Join]:
         """Take out of what is mixed cold what a cook puts into the vessel by itself, and return it.
 
-        That is what has to be fried before raw eggs come, and eggs that would set in the liquid only when that boils.
+        That is what has to be fried before raw eggs come, and eggs that would set in the liquid only when that boils:
+        not where all of it ``sets``, and is folded then.
         """
         foods = self._foods(line)
         if any(not stage.does <= {"mix", "move", "whip"} for stage in line.stages):
             return []
         batter = any(join.want.facts.is_a(*word_list("is held together with eggs")) for join in foods)
         eggs = not batter and any(join.want.facts.is_a("egg") for join in foods)
-        bath = any(
+        bath = not sets and any(
             _is_bath(join.want.facts) and not join.want.facts.is_a(*word_list("is beaten with eggs")) for join in foods
         )
         found = [

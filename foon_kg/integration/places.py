@@ -243,6 +243,7 @@ class Joiner:
         self.late = is_a(*_LATE)
         self.worked = is_a(*_WORKED_IN) and not is_a("herb")
         self.binds = is_a(*_BOUND) and not self.fat
+        self.beaten = is_a(*word_list("is beaten with eggs")) and not self.fat
         self.served = is_a(*_SERVED_WITH)
         self.ready_made = is_a("made", "dough", "ready")
         self.due = not owed(want, known).isdisjoint({"cook", "boil"})
@@ -344,6 +345,8 @@ class Matcher:
             return layout.laid
         if layout.bound is not None and food.binds:
             return layout.bound
+        if layout.beaten is not None and food.beaten:
+            return layout.beaten
         late = food.topping or (food.floats and not layout.dry)
         return layout.spots[-1] if late and only_carries(layout.spots[-1].stage) else None
 

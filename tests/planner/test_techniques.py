@@ -205,3 +205,15 @@ def test_a_drink_in_which_fruit_lies_by_its_name_is_not_blended(steps, title, fo
 def test_a_large_fruit_is_cut_before_it_comes_into_a_blender(steps):
     told = steps("drinks", "", "watermelon:whole fruit", "milk:liquid", "ice:frozen")
     assert first(told, "watermelon", "chop") < motions(told).index("blend")
+
+
+def test_what_would_run_or_burn_beside_eggs_in_the_pan_is_beaten_into_them(steps):
+    told = steps("omelette", "", "egg:whole raw", "broccoli:whole", "stock:liquid", "sake:juice", "sugar:ground")
+    (beaten,) = [inputs for inputs, motion, _ in told if motion == "whisk"]
+    assert {"egg", "stock", "sake", "sugar"} <= beaten
+    assert first(told, "broccoli", "cook and stir") < first(told, "mixture", "cook")
+
+
+def test_water_for_a_frittata_is_beaten_into_its_eggs(steps):
+    told = steps("omelette", "", "egg:whole raw", "water:juice", "ham:processed meat")
+    assert first(told, "water", "beat") < first(told, "ham", "cook")
