@@ -6,6 +6,7 @@ is cooked; then the lines of the frame are carried out, each heat block uninterr
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -64,7 +65,7 @@ class Cooking:
             method = self.alone.cooked_first(join)
             if method and self.plan.stacked and join.want.facts.is_a(*word_list("carries what is stacked")):
                 self.base_late[join.want.number] = method
-            elif method and self.stages.waits_for_sauce(join.spot.stage) and join.want.facts.is_a(*_BY_ITSELF):
+            elif method and self.stages.is_boiled_late(join.spot.stage) and join.want.facts.is_a(*_BY_ITSELF):
                 self.boiled_late[join.want.number] = method
             elif method:
                 self.alone.cook_first(join, method)
@@ -213,8 +214,9 @@ class Cooking:
         """Make what waited until now, and boil what waited for its sauce; meanwhile that is off the heat."""
         beside = [add for add in stage.adds if isinstance(add, Line) and self.stages.is_made_late(stage, add)]
         lines = [line for line in beside if id(line) not in subs and self.course.alive(line)]
-        waits = self.stages.waits_for_sauce(stage)
-        joins = [join for join in self.course.ordered(stage) if waits and join.want.number in self.boiled_late]
+        here = itertools.takewhile(lambda one: one is stage or one.does.isdisjoint(HEATS), (stage, *later))
+        there = here if stage.does.isdisjoint(HEATS) else [stage]
+        joins = [j for one in there for j in self.course.ordered(one) if j.want.number in self.boiled_late]
         if vessel is not None and (lines or joins):
             self.bench.heat_off(vessel)
         for line in lines:

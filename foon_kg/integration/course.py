@@ -121,6 +121,18 @@ class Course:
 
         return before(self.line)
 
+    def follows_heat(self, stage: Stage) -> bool:
+        """Whether something is heated before foods join a stage: on its own line, or on one that has joined that."""
+
+        def before(line: Line) -> bool:
+            if stage not in line.stages:
+                return any(before(add) for one in line.stages for add in one.adds if isinstance(add, Line))
+            come = line.stages[: line.stages.index(stage) + 1]
+            beside = [add for one in come for add in one.adds if isinstance(add, Line) and self.alive(add)]
+            return any("heat" in one.does for add in beside for one in add.all_stages())
+
+        return self.is_hot(stage) or before(self.line)
+
     def has_liquid(self, stages: Sequence[Stage]) -> bool:
         """Whether a liquid to cook in is there at the last of ``stages``."""
         for join in self.plan.joins:

@@ -32,6 +32,11 @@ class Stages:
         """Whether what is boiled and drained joins a sauce that cooks before: it is boiled when that is ready."""
         return isinstance(stage, Phase) and stage.bath and not self.plan.one_pot
 
+    def is_boiled_late(self, stage: Stage) -> bool:
+        """Whether what is boiled by itself is boiled only when what it joins there is ready: a sauce, or a soup."""
+        after = not self.plan.stacked and self.course.follows_heat(stage)
+        return self.waits_for_sauce(stage) or (after and (self.plan.one_pot or stage.does.isdisjoint(HEATS)))
+
     def is_made_late(self, stage: Stage, line: Line) -> bool:
         """Whether what joins a stage is made just before it: what waits for a sauce, and a foam, which falls."""
         return (self.waits_for_sauce(stage) and self.is_drained(line)) or self._falls(line)

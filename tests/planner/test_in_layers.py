@@ -55,3 +55,13 @@ def test_milk_goes_into_the_mash_that_covers_a_stew(steps):
 def test_eggs_that_are_asked_boiled_and_sliced_are_sliced_wherever_they_join(steps):
     told = steps("salad", "Layered Salad", "lettuce:chopped", "egg:boiled, sliced", "mayonnaise:creamy")
     assert motions(told).index("peel") < first(told, "egg", "slice")
+
+
+def test_noodles_are_boiled_when_what_they_are_laid_with_or_come_into_is_ready(steps):
+    sauce = ("ground beef:raw", "onion:chopped", "marinara sauce:sauce")
+    told = steps("pasta", "Lasagna", *sauce, "lasagna noodle:uncooked", "ricotta:creamy", "mozzarella:shredded")
+    fried = max(place for place, one in enumerate(motions(told)) if one == "cook and stir")
+    assert fried < first(told, "lasagna noodle", "boil") < first(told, "ricotta", "scoop")
+    soup = ("butter:unmelted", "onion:chopped", "chicken:chopped", "stock:liquid", "salt:granulated", "noodle:uncooked")
+    told = steps("noodle", "", *soup)
+    assert first(told, "noodle", "boil") > first(told, "stock", "pour")
