@@ -106,7 +106,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
             item.add_marker(pytest.mark.slow)
     slow = Counter(item.path for item in items if item.get_closest_marker("slow"))
     # the longest first, so that no worker waits for another in the end: what is in a group, then files of slow tests
-    items.sort(key=lambda item: (item.get_closest_marker("xdist_group") is None, -slow[item.path]))
+    items.sort(key=lambda item: (0, 0) if item.get_closest_marker("xdist_group") else (1, -slow[item.path]))
 
 
 @pytest.hookimpl(optionalhook=True)
