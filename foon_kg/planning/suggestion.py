@@ -7,7 +7,7 @@ for a food of the dish where a cook would rather accept it than not.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.model import Goal, KnownUnit, ObjectNode
@@ -120,9 +120,7 @@ def suggest(
     likely = sorted((goal for goal in goals if own.promise(goal)), key=lambda goal: _cheap_rank(goal, own))
     likely = likely[: max(LEAST_PROVEN, 2 * most)]
     units = view.behind([goal.node for goal in likely])
-    nodes = {node for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
-    own = own.with_mixtures({name for node in nodes for name in (node.label, *node.ingredients)}, view)
-    own = own.knowing({name for node in nodes for name in own.names_in(node)})
+    own = own.among(units, view)
     index = _index(units, own)
     found = [s for goal in likely if (s := _proven(goal, index, own, time_limit)) is not None and s.taken]
     if not found:
@@ -182,6 +180,17 @@ class Larder:
         """Return which food of one's own stands for ``name``, and how surely; ``None`` where none fairly does."""
         own, sure = self.stands_for[name]
         return (own, round(sure, 4)) if sure >= FAIR else None
+
+    def taken(self, names: Iterable[str]) -> tuple[Taken, ...]:
+        """Return which of ``names`` a food of one's own stands for, sorted by name."""
+        found = ((name, self.own_for(name)) for name in sorted(names))
+        return tuple(Taken(name, *mine) for name, mine in found if mine is not None)
+
+    def among(self, units: Iterable[KnownUnit], view: KnowledgeView) -> Larder:
+        """Return this larder, with what it has for each food of ``units``, of the FOON of ``view``."""
+        nodes = {node for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+        own = self.with_mixtures({name for node in nodes for name in (node.label, *node.ingredients)}, view)
+        return own.knowing({name for node in nodes for name in own.names_in(node)})
 
     def names_in(self, node: ObjectNode) -> tuple[str, ...]:
         """Return the foods that ``node`` is or holds, free ones apart."""
@@ -248,16 +257,14 @@ def _cost(own: Larder, otherwise: Callable[[ObjectNode], int | None]) -> Callabl
 def _proven(goal: Goal, index: UnitIndex, own: Larder, time_limit: float | None) -> Suggestion | None:
     """Return what the tree of ``goal`` that lacks the least takes; ``None`` where nothing makes the goal."""
     number_of = {food: number for number, food in enumerate(own.foods)}
-    standing = ((name, own.own_for(name)) for name in own.stands_for)
-    wanted = {name: number_of[mine[0]] for name, mine in standing if mine is not None}
+    wanted = {one.food: number_of[one.own] for one in own.taken(own.stands_for)}
     try:
         tree = retrieve(SearchProblem(index, (goal.node,), wanted), time_limit=time_limit)
     except NoTreeError:
         return None
     leaves = leaves_of(known.unit for known in tree.units)
     lacking = {name for node in leaves for name in own.lacking(node)}
-    named = {name for node in leaves for name in own.names_in(node)}
-    taken = tuple(Taken(name, *mine) for name in sorted(named) if (mine := own.own_for(name)) is not None)
+    taken = own.taken({name for node in leaves for name in own.names_in(node)})
     used = {one.own for one in taken}
     return Suggestion(
         goal,

@@ -68,10 +68,9 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
     things. How much of a food is taken is said where it first comes into the tree, unless somebody asked for an amount
     of it. Nothing is said of other foods than the recorded ones.
     """
-    seen = [(s.position, known.unit, s.measures) for known in recorded for s in known.seen_in if s.video == video]
-    said = sorted((row for row in seen if row[2]), key=lambda row: (row[0], row[1].key))
-    timed = [(unit, replace(measures, amounts=())) for _, unit, measures in said if replace(measures, amounts=())]
-    amounts = _amounts_by_food(measures for _, _, measures in said)
+    said = _said_in(video, recorded)
+    timed = [(unit, rest) for unit, measures in said if (rest := replace(measures, amounts=()))]
+    amounts = _amounts_by_food(measures for _, measures in said)
     for food in {singular(one.food) for unit in units for one in unit.measures.asked}:
         amounts.pop(food, None)
     there: set[ObjectNode] = set()
@@ -83,6 +82,13 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
         told.append(replace(unit, measures=replace(own, amounts=taken, asked=unit.measures.asked)))
         there.update(unit.output_nodes)
     return tuple(told)
+
+
+def _said_in(video: str, recorded: Iterable[KnownUnit]) -> list[tuple[FunctionalUnit, Measures]]:
+    """Return what a video says of its units, in the order of the video."""
+    seen = [(s.position, known.unit, s.measures) for known in recorded for s in known.seen_in if s.video == video]
+    said = sorted((row for row in seen if row[2]), key=lambda row: (row[0], row[1].key))
+    return [(unit, measures) for _, unit, measures in said]
 
 
 def _amounts_by_food(measures: Iterable[Measures]) -> dict[str, list[str]]:

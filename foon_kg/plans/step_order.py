@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 
 from foon_kg.food import motions, tables
 from foon_kg.model import ObjectNode
@@ -22,30 +23,42 @@ def earlier_steps(units: Sequence[TreeUnit]) -> tuple[frozenset[int], ...]:
     What lies in the kitchen may be taken by several steps: there is more than one onion. What a unit made is used up
     by a unit that takes it and does not put it out again; whoever else takes it does so in the order of execution.
     """
-    made_by: dict[ObjectNode | int, int] = {}
-    taken_by: defaultdict[ObjectNode | int, list[int]] = defaultdict(list)
+    things = _Things()
     prepared: set[int] = set()
     before: list[frozenset[int]] = []
     for place, unit in enumerate(units):
-        taken = {one.identity for one in unit.taken}
-        made = {one.identity for one in set(unit.made) - set(unit.taken)}  # what stays as it is was only held
-        put_out = {one.identity for one in unit.made}
-        used_up = {thing for thing in taken if thing in made_by and thing not in put_out}
-        waits = {made_by[thing] for thing in taken | made if thing in made_by}
-        for thing in made | used_up:  # whoever takes it before has to be through with it
-            waits.update(taken_by[thing])
+        waits = things.through(place, unit)
         if unit.phase == "prepare":
             prepared.add(place)
         elif unit.phase == "heat":
             waits |= prepared
-        for thing in taken:
-            taken_by[thing].append(place)
-        for thing in made:
-            made_by[thing], taken_by[thing] = place, []
-        for thing in used_up:
-            made_by[thing] = place  # the next to take it comes after this one
         before.append(frozenset(waits - {place}))
     return tuple(waits | _ready_for(place, units, before) for place, waits in enumerate(before))
+
+
+@dataclass
+class _Things:
+    """What the steps so far made, by the last one that did so, and which of them took it since."""
+
+    made_by: dict[ObjectNode | int, int] = field(default_factory=dict)
+    taken_by: defaultdict[ObjectNode | int, list[int]] = field(default_factory=lambda: defaultdict(list))
+
+    def through(self, place: int, unit: TreeUnit) -> set[int]:
+        """Return the steps for whose things the one at ``place`` waits, and let these be as ``unit`` leaves them."""
+        taken = {one.identity for one in unit.taken}
+        made = {one.identity for one in set(unit.made) - set(unit.taken)}  # what stays as it is was only held
+        put_out = {one.identity for one in unit.made}
+        used_up = {thing for thing in taken if thing in self.made_by and thing not in put_out}
+        waits = {self.made_by[thing] for thing in taken | made if thing in self.made_by}
+        for thing in made | used_up:  # whoever takes it before has to be through with it
+            waits.update(self.taken_by[thing])
+        for thing in taken:
+            self.taken_by[thing].append(place)
+        for thing in made:
+            self.made_by[thing], self.taken_by[thing] = place, []
+        for thing in used_up:
+            self.made_by[thing] = place  # the next to take it comes after this one
+        return waits
 
 
 def _ready_for(place: int, units: Sequence[TreeUnit], before: Sequence[frozenset[int]]) -> frozenset[int]:

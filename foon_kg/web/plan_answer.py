@@ -42,21 +42,16 @@ def plan_to_json(
     plan, kitchen = answer.outcome, Kitchen.default()
     if not isinstance(plan, PlanResult):
         raise TypeError("only a plan has steps")
-    looked_at = [place_to_see(unit.sightings, plan.reference.videos) for unit in plan.units]
     told: JsonObject = plan.to_json() | {
         "notes": list(answer.notes),
         "shopping": list(map(node_to_json, shopping_list(plan.kitchen, kitchen))),
-        "seen": [seen and sighting_to_json(seen) for seen in looked_at],
-        "videos": [seen and seen_at([seen]) for seen in looked_at],
-        "stands": [stands_in(unit, plan.substitutions, places) for unit in plan.units],
-        "sentences": [sentence(unit, kitchen, unit.measures) for unit in plan.units],
+        **_step_by_step(plan, kitchen, places),
         "amounts": [wanted.amount for wanted in plan.recipe.ingredients],
     }
     if question.export:
         told["files"] = [asdict(file) for file in export_tree(ExportedTree.of_plan(plan), question.export)]
     if question.explain:
-        told["considered"] = [one.to_json() for one in answer.considered]
-        told["explanations"] = list(map(explanation_to_json, answer.explanations))
+        told |= _reasons(answer)
         told["judged"] = check(tree_from_json(plan.to_json()), foon, free=kitchen.free_foods).to_json()
     schedules = [schedule(plan.units, plan.kitchen, durations, kitchen, hands) for hands in question.hands]
     if schedules:
@@ -64,6 +59,25 @@ def plan_to_json(
     if question.picture_width is not None:
         told["pictures"] = pictures_to_json(ShownTree.of_result(plan), schedules, question.picture_width)
     return told
+
+
+def _step_by_step(plan: PlanResult, kitchen: Kitchen, places: Mapping[Place, KnownUnit]) -> JsonObject:
+    """Return what is told of each step, as lists in their order: where to look, what stands there, the sentence."""
+    looked_at = [place_to_see(unit.sightings, plan.reference.videos) for unit in plan.units]
+    return {
+        "seen": [seen and sighting_to_json(seen) for seen in looked_at],
+        "videos": [seen and seen_at([seen]) for seen in looked_at],
+        "stands": [stands_in(unit, plan.substitutions, places) for unit in plan.units],
+        "sentences": [sentence(unit, kitchen, unit.measures) for unit in plan.units],
+    }
+
+
+def _reasons(answer: Answer) -> JsonObject:
+    """Return why a plan is as it is: the other dishes that were considered, and each food."""
+    return {
+        "considered": [one.to_json() for one in answer.considered],
+        "explanations": list(map(explanation_to_json, answer.explanations)),
+    }
 
 
 def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) -> JsonObject:

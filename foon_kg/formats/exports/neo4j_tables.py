@@ -52,22 +52,12 @@ def edge_tables(foon: Snapshot) -> dict[str, list[Row]]:
 
     A node is named by its key or its name, whichever it has.
     """
-    counts, moving = _counts(foon), movements(foon.subgraphs)
-    units = [known.unit for known in foon.units]
+    counts = _counts(foon)
     goals = [(node, dish, video.name) for video in foon.subgraphs for node, dish in goals_of(video, foon.kitchen)]
     made_of = sorted({(node.key, food) for node, _, _ in goals for food in node.ingredients})
     return {
         "CALLED": [(node.key, node.label) for node in _objects(foon)],
-        "INPUT_OF": [
-            (node.key, unit.key, moving.get((unit.key, "inputs", node.key)))
-            for unit in units
-            for node in unit.input_nodes
-        ],
-        "OUTPUTS": [
-            (unit.key, node.key, moving.get((unit.key, "outputs", node.key)))
-            for unit in units
-            for node in unit.output_nodes
-        ],
+        **_participations(foon),
         "NEXT": [(one, other, video.name, place) for video in foon.subgraphs for one, other, place in following(video)],
         "SEEN_IN": [row for video in foon.subgraphs for row in _sightings(video)],
         "IS_A": [(node.key, dish, video) for node, dish, video in goals],
@@ -75,6 +65,17 @@ def edge_tables(foon: Snapshot) -> dict[str, list[Row]]:
         "SEEN_AS": [(row.label, row.state, row.made, row.used) for row in counts.seen_as()],
         "MADE_BY": [(row.state, row.motion, row.count) for row in counts.made_by()],
     }
+
+
+def _participations(foon: Snapshot) -> dict[str, list[Row]]:
+    """Return which objects each unit takes and makes, with how many sightings show the object moving."""
+    moving = movements(foon.subgraphs)
+    taken: list[Row] = []
+    made: list[Row] = []
+    for unit in (known.unit for known in foon.units):
+        taken += [(node.key, unit.key, moving.get((unit.key, "inputs", node.key))) for node in unit.input_nodes]
+        made += [(unit.key, node.key, moving.get((unit.key, "outputs", node.key))) for node in unit.output_nodes]
+    return {"INPUT_OF": taken, "OUTPUTS": made}
 
 
 def _counts(foon: Snapshot) -> WordCounts:

@@ -23,6 +23,9 @@ _HALVINGS = 30
 MOST = FIRST * MORE
 """So many points are asked for at most."""
 
+NearValue = tuple[str, int, float | None, list[str]]
+"""A food, how many points were looked at for it, the cosine of the furthest, and the names of the near ones."""
+
 Ask = Callable[[Mapping[str, Any]], list[MethodsAskedRow]]
 
 
@@ -59,12 +62,18 @@ class KnownMatters:
                 return None
             self.rows.update((row[0], row) for row in rows[0].matters)
             self.kinds |= kinds
-            for food, size, furthest, names in rows[0].near:
-                if size < count or (furthest or 0.0) < _least(waiting[food]):
-                    self.near[food] = tuple(dict.fromkeys(names))
-                    del waiting[food]
+            self._settle(rows[0].near, waiting, count)
             count *= MORE
         return [self.rows[name] for name in self._matters(foods, kinds) if name in self.rows]
+
+    def _settle(
+        self, near: Iterable[tuple[str, int, float | None, list[str]]], waiting: dict[str, Question], count: int
+    ) -> None:
+        """Keep the foods near to those that are ``waiting``, unless of ``count`` points more may be as near."""
+        for food, size, furthest, names in near:
+            if size < count or (furthest or 0.0) < _least(waiting[food]):
+                self.near[food] = tuple(dict.fromkeys(names))
+                del waiting[food]
 
     def _matters(self, foods: Iterable[str], kinds: Iterable[str]) -> list[str]:
         return sorted({*kinds, *(name for food in foods for name in self.near[food])})
