@@ -45,8 +45,8 @@ campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed: a quart
 	what Graphviz and Mermaid make of hostile names is not looked at"
 	FOON_KG_CAMPAIGN=yes $(BIN)/python -m pytest -n 4 --durations=12 tests/campaign tests/crash tests/server/test_full_disk.py \
 		tests/server/test_local_server.py tests/server/test_local_server_failures.py tests/server/test_questions_of_strangers.py \
-		tests/cli/test_full_disk.py tests/unit/test_wheel.py tests/loaders/test_budgets.py tests/web/test_connections.py \
-		tests/web/test_accessibility.py tests/web/test_api_page.py tests/web/test_teach_page.py
+		tests/cli/test_full_disk.py tests/cli/test_collection_plans.py tests/unit/test_wheel.py tests/loaders/test_budgets.py \
+		tests/web/test_connections.py tests/web/test_accessibility.py tests/web/test_api_page.py tests/web/test_teach_page.py
 	FOON_KG_CAMPAIGN=yes $(BIN)/python -m pytest -n 4 -m hypothesis --ignore tests/campaign  # ten times as many examples
 
 soak: $(INSTALLED_FOR_TESTS)  ## foon serve for an hour under mixed requests, its memory flat within a tenth; MINUTES=5 is shorter

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import threading
 
 import pytest
@@ -15,7 +14,7 @@ from server.live_server import kill, up
 from foon_kg.model.errors import GraphError
 from foon_kg.store.graph import Connection, load, remove
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("local-server")]
+pytestmark = [pytest.mark.campaign, pytest.mark.slow, pytest.mark.xdist_group("local-server")]
 
 BEFORE = (subgraph("first", "salad", *SALAD[:4]), subgraph("second", "soup", *SALAD[2:]))
 WANTED = (subgraph("first", "salad", *SALAD), subgraph("third", "salad", *SALAD[3:]))
@@ -26,7 +25,6 @@ STAGES = {
     "a statement does not arrive": (Says.RUN, Harm.HELD),
     "a statement is not answered": (Says.RUN, Harm.UNANSWERED),
 }
-IN_A_TEST = 1
 
 
 def begin(settings):
@@ -48,7 +46,7 @@ def tried(settings, told):
         told.append(error.code)
 
 
-@pytest.mark.parametrize("stage", list(STAGES)[: None if os.environ.get("FOON_KG_CAMPAIGN") == "yes" else IN_A_TEST])
+@pytest.mark.parametrize("stage", STAGES)
 def test_the_graph_is_as_before_or_as_after(place, stage):  # noqa: F811 - the fixture
     tag, harm = STAGES[stage]
     settings = up()

@@ -55,8 +55,8 @@ KINDS = {
 MAY_BE_RIGHT = {"a folder", "an empty file"}
 """Nothing is in them: some commands take that for an answer."""
 
-IN_A_TEST = {"a pipe", "a device without end"}
-"""On one a command hung, the other ate all memory; what is only refused is left to make campaign."""
+IN_A_TEST = "a pipe"
+"""On which commands hung; the others are left to make campaign."""
 
 TAKES_NOTHING = {"a pipe", "a socket", "a link to itself"}
 """To these nothing can be written, while nobody listens."""
@@ -91,7 +91,7 @@ def good(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "kind", [kind if kind in IN_A_TEST else pytest.param(kind, marks=pytest.mark.campaign) for kind in KINDS]
+    "kind", [kind if kind == IN_A_TEST else pytest.param(kind, marks=pytest.mark.campaign) for kind in KINDS]
 )
 def test_every_command_ends_and_names_the_file(good, kind):
     for ending in ENDINGS:

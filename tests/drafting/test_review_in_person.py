@@ -25,7 +25,7 @@ DRAFT = """start,end,motion,inputs,outputs,dish,confidence,doubt,said,source
 0:40,0:44,pick-and-place,onion (chopped) on cutting board; xyzzy (empty),onion (chopped) in xyzzy; xyzzy {onion},,0.80,,“into the xyzzy”,kitchen.mp4
 0:45,,,,,,0.00,“wow” is no motion of the FOON: left out,“wow”,kitchen.mp4
 """  # noqa: E501
-GIVES_UP = 30.0
+GIVES_UP = 120.0
 """Seconds after which a test that waits for words has failed."""
 ASKS_AGAIN = 2.0
 """Seconds after which a person presses a key once more."""
@@ -40,6 +40,7 @@ class Terminal:
         self.process, self.screen = pty.fork()
         if self.process == 0:  # the program itself
             os.chdir(cwd)
+            signal.signal(signal.SIGINT, signal.SIG_DFL)  # what runs in the background may have been told to ignore it
             os.environ |= {"COLUMNS": "100", "LINES": "40", "TERM": "xterm", "PYTHONSAFEPATH": "1"}
             code = "from foon_kg.cli import main; main()"
             os.execv(sys.executable, [sys.executable, "-c", code, *map(str, words)])

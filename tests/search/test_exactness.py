@@ -6,7 +6,8 @@ from dataclasses import replace
 from operator import attrgetter
 
 import pytest
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from search_problems import NODES, deep_problems, problems, unit
 
@@ -24,7 +25,7 @@ def answer(problem: SearchProblem, explored: Explored | None = None) -> Referenc
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None)
+@examples(120)
 @given(problems() | deep_problems())
 def test_the_search_gives_the_tree_that_enumerating_every_path_gives(problem):
     enumeration = enumerate_paths(problem, limit=PATHS)
@@ -35,7 +36,7 @@ def test_the_search_gives_the_tree_that_enumerating_every_path_gives(problem):
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None)
+@examples(60)
 @given(problems() | deep_problems())
 def test_out_of_time_the_answer_is_a_tree_and_what_is_said_to_be_proven_holds(problem):
     best = answer(problem)
@@ -51,7 +52,7 @@ def test_out_of_time_the_answer_is_a_tree_and_what_is_said_to_be_proven_holds(pr
     assert hurried.bound.units <= len(best.units)
 
 
-@settings(max_examples=100, deadline=None)
+@examples(40)
 @given(problems(), st.lists(st.sampled_from(NODES[:8]), min_size=2, max_size=5))
 def test_the_best_of_several_targets_is_the_best_of_each_alone(problem, targets):
     alone = [answer(replace(problem, targets=(target,), wanted={})) for target in targets]
@@ -60,7 +61,7 @@ def test_the_best_of_several_targets_is_the_best_of_each_alone(problem, targets)
     assert best == min(trees, key=attrgetter("rank"), default=None)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(24)
 @given(problems(), st.lists(st.dictionaries(st.sampled_from("abcdefgh"), st.integers(0, 3)), min_size=2, max_size=5))
 def test_what_was_found_for_one_question_changes_no_answer_to_the_next(problem, wishes):
     explored = Explored()
@@ -69,7 +70,7 @@ def test_what_was_found_for_one_question_changes_no_answer_to_the_next(problem, 
         assert answer(question, explored) == answer(question)
 
 
-@settings(max_examples=150, deadline=None)
+@examples(60)
 @given(problems(max_units=7, max_nodes=7))
 def test_no_subset_of_the_units_is_a_better_tree(problem):
     ranks = [rank for target in set(problem.targets) for rank in ranks_of_all_subsets(problem, target)]
@@ -128,7 +129,7 @@ def subsets(items):
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None)
+@examples(60)
 @given(problems(max_units=14, max_nodes=10) | deep_problems())
 def test_every_tree_is_executable_connected_and_ends_with_its_goal(problem):
     tree = answer(problem)
@@ -151,7 +152,7 @@ def test_every_tree_is_executable_connected_and_ends_with_its_goal(problem):
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None)
+@examples(60)
 @given(problems(), st.randoms(use_true_random=False))
 def test_the_order_of_the_units_does_not_matter(problem, random):
     units = list(problem.index.units)

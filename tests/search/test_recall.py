@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from hypothesis import assume, given, settings
+from examples import examples
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from search_problems import NODES, deep_problems, problems, unit
 
 from foon_kg.search import NoWayError, SearchProblem, UnitIndex, retrieve, retrieve_once
 
-often = settings(max_examples=150, deadline=None)
+often = examples(60)
 
 
 class Memory:
@@ -77,7 +78,7 @@ changes = st.fixed_dictionaries(
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None)
+@examples(120)
 @given(problems() | deep_problems(), changes)
 def test_whatever_changes_in_between_the_answer_is_that_of_a_search(problem, change):
     problem, memory = one_target(problem), Memory()

@@ -79,7 +79,6 @@ def test_it_can_be_stopped_and_keeps_its_data_and_its_port(place, ask):
     assert ask(settings, "MATCH (n:Kept) RETURN count(n)") == 1
 
 
-@pytest.mark.campaign
 def test_a_killed_server_is_started_again_with_everything_that_was_committed(place, ask):
     settings = up()
     ask(settings, "MERGE (n:Killed {key: 1}) RETURN n.key")
@@ -154,6 +153,7 @@ def test_status_tells_where_everything_is(place):
     assert is_free(int(running.uri.rpartition(":")[2]))
 
 
+@pytest.mark.campaign
 def test_who_waits_for_another_command_is_told(place):
     lines = []
     first = threading.Thread(target=up)

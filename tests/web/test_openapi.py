@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from examples import examples
+from hypothesis import given
 from web.serving import app, served
 
 schemathesis = pytest.importorskip("schemathesis", reason="schemathesis is not installed")
@@ -63,7 +64,7 @@ def test_answers_are_as_the_document_says(document, path, method, mode):
 
     answers = []
 
-    @settings(max_examples=8, deadline=None, suppress_health_check=list(HealthCheck))
+    @examples(4)
     @given(case=operation.as_strategy(generation_mode=mode))
     def ask(case):
         answer = case.call()

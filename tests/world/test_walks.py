@@ -9,7 +9,8 @@ from dataclasses import replace
 from textwrap import dedent
 
 import pytest
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from world.corruption import (
     doubled,
@@ -84,7 +85,7 @@ def test_what_is_possible_is_never_refused(walk, numbered):
 @pytest.mark.slow
 @numbered_or_not
 @pytest.mark.parametrize("corrupt", [dropped, doubled, swapped, unlit, renamed, poured_twice, left_whole])
-@settings(max_examples=25)  # of each of fourteen kinds
+@examples(10)  # of each of fourteen kinds
 @given(walk=possible, data=st.data())
 def test_every_single_fault_is_told(walk, corrupt, numbered, data):
     faults = [fault for fault in corrupt(walk) if (fault.kind, numbered) not in NOT_TOLD_YET]
@@ -158,7 +159,7 @@ def test_a_walk_is_accepted_where_robot_and_cook_both_accept_it(walk):
 
 
 @pytest.mark.slow
-@settings(max_examples=50)
+@examples(20)
 @given(st.lists(units, min_size=1, max_size=6))
 def test_the_work_for_sixty_steps_is_bounded(steps):
     """Six steps that go on from each other again and again: what grows with every round would show."""
