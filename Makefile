@@ -39,7 +39,7 @@ check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of import
 	$(BIN)/python benchmarks/imports.py
 	$(BIN)/python benchmarks/house.py --hold
 
-campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed: a quarter of an hour
+campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed: half an hour or more
 	mkdir -p $(CONSUMERS) && cp tests/campaign/consumers/* $(CONSUMERS)
 	cd $(CONSUMERS) && npm ci --no-audit --no-fund --ignore-scripts --omit=optional --loglevel=error || echo "without npm: \
 	what Graphviz and Mermaid make of hostile names is not looked at"

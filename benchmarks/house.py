@@ -312,9 +312,9 @@ HELD: Mapping[str, int] = {
     "circles between rooms": 0,
     f"files over {MOST_LINES} lines": 12,
     f"functions more complex than {MOST_COMPLEX}": 392,
-    "functions more complex than 20": 42,
-    "the most complex": 50,
-    f"pairs of files that share {RUN} lines": 6,
+    "functions more complex than 20": 39,
+    "the most complex": 45,
+    f"pairs of files that share {RUN} lines": 5,
 }
 """What may not get worse: the most of each figure. Whoever makes one better lowers it here."""
 

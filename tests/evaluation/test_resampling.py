@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.stats import binomtest, bootstrap
 
 from foon_kg.evaluation.resampling import bootstrap_mean, paired_difference, share
 
@@ -31,6 +30,8 @@ def test_of_many_values_the_interval_is_the_normal_one():
 
 @pytest.mark.parametrize("seed", [0, 7])
 def test_the_interval_is_that_of_scipy_with_the_same_draws(seed):
+    from scipy.stats import bootstrap  # as long to import as all other tests of this folder
+
     values = np.random.default_rng(seed).uniform(0, 1, size=30)
     found = bootstrap_mean(values.tolist(), seed)
     known = bootstrap((values,), np.mean, n_resamples=10_000, method="percentile", rng=seed).confidence_interval
@@ -83,6 +84,8 @@ def test_intervals_hold_the_truth_about_as_often_as_they_say():
 
 @given(st.integers(1, 400).flatmap(lambda of: st.tuples(st.integers(0, of), st.just(of))))
 def test_the_interval_of_a_share_is_wilson_s(counted):
+    from scipy.stats import binomtest
+
     count, of = counted
     found, known = share(count, of), binomtest(count, of).proportion_ci(0.95, method="wilson")
     assert found.mean == count / of
