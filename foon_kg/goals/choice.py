@@ -117,10 +117,10 @@ def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -
     return found
 
 
-def is_truly(fit: Fit) -> bool:
-    """Whether a dish may be called as the recorded one is: it has most of its foods but seasonings."""
+def is_truly(fit: Fit, share: float = _MOST) -> bool:
+    """Whether a dish may be called as the recorded one is: it has most of its foods (``share``) but seasonings."""
     taken = {id(join.slot) for join in fit.joins if join.slot is not None}
     foods = zip(fit.frame.line.all_slots(), fit.dish.foods, strict=True)
     slots = [id(slot) for slot, food in foods if not food.is_a(*SEASONS)]
     plain = fit.dish.type_words.issuperset(fit.dish.words) or not slots
-    return plain or sum(slot in taken for slot in slots) >= _MOST * len(slots)
+    return plain or sum(slot in taken for slot in slots) >= share * len(slots)

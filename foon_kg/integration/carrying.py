@@ -274,7 +274,9 @@ class Carrier:
         if any(self.known.state(state).needs_heat for state in stuff.states):
             baked = "baked" in stuff.states and binds(stuff.foods, self.known)
             sets = baked or any(food.is_a("egg", "flour", "dough") for food in foods)  # what ran is solid now
-            return not sets and any(food.is_a("liquid", "creamy") for food in foods)
+            fried = any(food.is_a(*word_list("is coated")) for food in foods)  # fat that clings to flesh is no sauce
+            wet = [food for food in foods if food.is_a("liquid", "creamy") and not (fried and food.is_a("fat"))]
+            return not sets and bool(wet)
         return any(food.is_a("liquid", "creamy", "water", "egg") for food in foods)
 
     def _pure(self, way: Way) -> bool:

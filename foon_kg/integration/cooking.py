@@ -17,6 +17,7 @@ from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import COATS, HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.crowned import crowned
+from foon_kg.integration.dipping import Dipping
 from foon_kg.integration.frames import BATH, Asked, Line, Phase, Stage
 from foon_kg.integration.operators import Attested, form_of
 from foon_kg.integration.phases import in_phases
@@ -50,6 +51,7 @@ class Cooking:
         self.alone = Alone(bench, self.course, self.preparer, self.carry, self.ready)
         self.work = Worker(bench, plan, self.alone)
         self.serving = Serving(bench, plan, self.carry, self.work, self.ready)
+        self.dipping = Dipping(bench, self.carry, self.work, self.ready)
         self.stages = Stages(self.course, plan, self.known)
         self.placing = Placing(bench, self.stages, self.carry, self.work, self.ready)
 
@@ -73,7 +75,7 @@ class Cooking:
         if vessel is None:
             raise RefusedError("nothing of what was asked joins this dish")
         self.bench.phase = "finish"
-        vessel = self._finish(vessel)
+        vessel = self.serving.served(vessel, self.line.stages[-1], self.stages)
         if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
             self.work.name(vessel, self.plan.label)
         self.bench.forget_short_breaks()
@@ -249,6 +251,15 @@ class Cooking:
             self._cook_base_now(joins, [*lines, vessel])
             return self.serving.stack(stage, vessel, joins, lines)
         self._cook_base_now(joins, [*lines, vessel])
+        if self.dipping.is_for(stage, vessel, joins, lines):
+            return self.dipping.done(stage, vessel, joins, lines)
+        return self._brought_and_done(stage, vessel, joins, lines, later, main=main)
+
+    def _brought_and_done(
+        self, stage: Stage, vessel: Vessel | None, joins: list[Join], lines: list[Vessel], later: Sequence[Stage], *,
+        main: bool,
+    ) -> Vessel | None:  # fmt: skip
+        """Bring what joins a stage to what is in ``vessel``, do what it does, and return in what that is then."""
         if main and vessel is not None and not joins and not lines and self.stages.stays_there(stage, vessel, later):
             return vessel
         device, relation = self.placing.utensils.device_for(stage)
@@ -277,6 +288,9 @@ class Cooking:
         for join in tops:
             self.carry.bring(self.ready[join.want.number], vessel, join.slot)
             self.work.name(vessel, self.plan.label)
+        portions = self.serving.portions(stage, vessel)
+        if portions:
+            return self.serving.shaped(stage, vessel, portions)
         self._do(stage, vessel, device, relation, later, main=main)
         return self._take_out(stage, vessel, later, main=main)
 
@@ -289,7 +303,7 @@ class Cooking:
         if any(self.work.is_taken_out(join.want) for join in self.plan.joins if join.want.number in inside):
             self.bench.heat_off(vessel)
             if len(vessel.contents) > 1:
-                self.work.name(vessel, self.plan.label if main else stage.label or _MIXTURE)
+                self.work.name(vessel, self.plan.label if main else self.work.label(stage, vessel) or _MIXTURE)
             return self.work.take_out(vessel)
         return vessel
 
@@ -397,25 +411,3 @@ class Cooking:
         states = self.work.states(stage, vessel, attested.way, product=True, finished=False)
         self.bench.work(vessel, attested, label or "mixture", states, extra=machine)
         self.bench.switch(None, machine, on=False)
-
-    def _finish(self, vessel: Vessel) -> Vessel:
-        """Turn everything off and serve the dish, where nobody eats from what it is in; return what it is in then."""
-        self.bench.heat_off(vessel)
-        self.bench.all_off()
-        row = self.known.utensil(vessel.label)
-        if self.plan.drunk and row is not None and row.group in word_list("is not drunk from"):
-            glass = self.bench.vessel("mug" if vessel.hot else "drinking glass")
-            self.carry.transfer(vessel, glass, self.line.stages[-1])
-            return glass
-        if row is None or row.can.isdisjoint({"heat", "cook", "bake"}) or "chilled" in vessel.contents[0].states:
-            return vessel
-        if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
-            self.work.name(vessel, self.plan.label)
-        if row.group in word_list("is served in what it is baked in") and self.stages.has_no_portions():
-            return vessel
-        target = self.bench.vessel("bowl" if self.carry.is_wet(vessel.contents[0]) else "plate")
-        try:
-            self.carry.transfer(vessel, target, self.line.stages[-1])
-        except RefusedError:  # nobody of this FOON serves such a dish
-            return vessel
-        return target

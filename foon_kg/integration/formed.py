@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food import Food, Tables
+from foon_kg.food import Food, Tables, singular
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.course import HEATS
@@ -28,7 +28,7 @@ def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
 
 
 def formed(
-    line: Line, joins: Sequence[Join], told: Collection[str], known: Tables, goal: str, *, baked: bool
+    line: Line, joins: Sequence[Join], told: frozenset[str], known: Tables, goal: str, *, baked: bool
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return how balls, patties or cakes are made that are the dish: mixed, shaped, cooked, and simmered in a sauce.
 
@@ -41,6 +41,7 @@ def formed(
     if not mass.main or part or not word_list("boils in the dish").isdisjoint(told):
         return line, tuple(joins)
     mix, shape, heat, turn, done, sauce, top, whisk = fresh(MIX, SHAPE, COOK, TURN, COOK, SIMMER, TOP, WHISK)
+    shape = replace(shape, label=_portions(told))
     heat = replace(heat, adds=(Line((mix, shape)),), label=goal)
     wet = [join for join in joins if mass.is_sauce(join)]
     tops = [join for join in joins if mass.lies_on_it(join)]
@@ -62,13 +63,19 @@ def formed(
     return put_at(whole, joins, lambda join: at[join.want.number])
 
 
+def _portions(told: frozenset[str]) -> str:
+    """Return what shaped portions are called in a dish that is ``told`` of in these words."""
+    balls = word_list("is called so in balls")
+    return min(word_list("is called so in portions") if told.isdisjoint(map(singular, balls)) else balls)
+
+
 def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made in which balls are cooked with the rest: they are mixed and shaped before they join."""
     mass = _Mass(joins, known)
     meets = mass.main[0].spot.stage if mass.main else None
     if meets is None or meets.does.isdisjoint(HEATS) or "dry" in meets.does:
         return line, tuple(joins)
-    mix, shape = fresh(MIX, SHAPE)
+    mix, shape = fresh(MIX, replace(SHAPE, label=min(word_list("is called so in balls"))))
     own = [join for join in joins if mass.is_of_mass(join, alone=False)]
     whole, became = with_line(line, meets, Line((mix, shape)))
     stages = {id(join.want): became.get(id(join.spot.stage), join.spot.stage) for join in joins}
@@ -101,7 +108,7 @@ class _Mass:
     def _begin(self) -> float:
         """Return the place in the recipe at which what is cooked around the mass begins."""
         first = min((place for join in self.main for place in join.want.places), default=0)
-        wet = [join.want for join in self.joins if _runs_around(join.want.facts) and not self._is_beside_binder(join)]
+        wet = [join.want for join in self.joins if _runs_around(join.want.facts) and not self._soaks_what_binds(join)]
         wet = [want for want in wet if want.places and min(want.places) > first]
         main = [want for want in wet if want.facts.is_of(*word_list("is the body of a sauce"))]
         wet = [want for want in wet if not want.facts.is_a(*word_list("is mixed into a mass"))]
@@ -156,8 +163,10 @@ class _Mass:
             return False
         if self._is_beside_binder(join):
             return True
-        others = (one.want.facts for one in self.joins if one is not join)
-        return any(_runs_around(one) for one in others)
+        others = [one.want.facts for one in self.joins if one is not join]
+        drunk = join.want.facts.is_a(*word_list("makes a sauce only when it is bound"))
+        loose = drunk and not any(one.is_a(*word_list("binds a mass or a sauce")) for one in others)
+        return loose or any(_runs_around(one) for one in others)
 
     def is_sauce(self, join: Join) -> bool:
         """Whether a food is cooked around what was shaped."""

@@ -55,7 +55,9 @@ class Placing:
             label = self.carry.deep_for(label, [join.want for join in joins])
         elif label != comes.label:
             label = self.carry.tin_for(label, comes, self.plan.tin, in_oven=relation == "in")
-        runs = vessel is not None and vessel.hot and any(self.carry.is_wet(stuff) for stuff in vessel.contents)
+        deep = vessel is not None and vessel.hot and not is_flat(vessel.label)  # on a tray nothing runs
+        runs = vessel is not None and deep and any(self.carry.is_wet(stuff) for stuff in vessel.contents)
+        runs = runs and not self.stages.on_plate
         return "bowl" if (dressed or runs) and is_flat(label) and not self.stages.lies_baked(vessel) else label
 
     def vessel_for(

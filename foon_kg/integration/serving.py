@@ -6,13 +6,14 @@ from collections.abc import Mapping, Sequence
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, Vessel, foods_of, is_flat
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import WORKS, Plan
 from foon_kg.integration.frames import Stage
 from foon_kg.integration.operators import Way
 from foon_kg.integration.preparation import Ready
 from foon_kg.integration.spots import Join
+from foon_kg.integration.stages import Stages
 from foon_kg.integration.working import Worker
 
 _SLICES = word_list("carries what is stacked")
@@ -22,6 +23,7 @@ _LAYERS = word_list("is a layer")
 _CLOSES = word_list("closes what is stacked")
 _SMEARED = word_list("is smeared on it")
 _MIXED = "mixture"
+_SHAPED = "shaped"
 _SMALL = 3
 """How fine pieces are that are bound by something creamy (chopped, flaked)."""
 
@@ -201,3 +203,67 @@ class Serving:
     def lies_on_top(join: Join) -> bool:
         """Whether a food only lies on a dish that is done, or beside it."""
         return join.on_top or join.want.facts.is_a("topping", "herb", *word_list("is served with what is fried"))
+
+    def portions(self, stage: Stage, vessel: Vessel) -> str:
+        """Return what a mass is called when a stage shapes it, ``""`` where it stays in one piece."""
+        if stage.motion not in word_list("shapes portions") or len(vessel.contents) != 1 or is_flat(vessel.label):
+            return ""
+        if stage.label in word_list("is in portions"):
+            return stage.label
+        mass, kinds = vessel.contents[0], word_list("patties are made of")
+        held = mass.mixed and any(self.known.foods.food(food).is_a(*kinds) for food in mass.foods)
+        in_one = not word_list("is shaped in one piece").isdisjoint(self.plan.label.split())
+        return min(word_list("is called so in portions")) if held and not in_one else ""
+
+    def shaped(self, stage: Stage, vessel: Vessel, label: str) -> Vessel:
+        """Shape a mass to portions called ``label`` and return the plate on which they lie."""
+        plate, (mass,) = self.bench.vessel("plate"), vessel.contents
+        attested = self.work.way(stage, vessel)
+        if attested is None:
+            return vessel
+        whole = Stuff(label, self.bench.number(), (_SHAPED,), mass.foods, mass.wants, plate, mixed=True)
+
+        def change() -> None:
+            vessel.contents.clear()
+            plate.contents.append(whole)
+
+        self.bench.emit(attested, [plate, vessel, mass], change, [plate, whole, vessel])
+        return plate
+
+    def served(self, vessel: Vessel, stage: Stage, stages: Stages) -> Vessel:
+        """Turn everything off and serve the dish, where nobody eats from what it is in; return what it is in then.
+
+        ``stage`` is the last one of ``stages``.
+        """
+        self.bench.heat_off(vessel)
+        self.bench.all_off()
+        group, dish = self._group(vessel), vessel.contents[0]
+        if self.plan.drunk and group in word_list("is not drunk from"):
+            return self._brought(vessel, "mug" if vessel.hot else "drinking glass", stage)
+        if not self._is_cooked_in(vessel) or "chilled" in dish.states:
+            return vessel
+        if len(vessel.contents) > 1 or dish.label != self.plan.label:
+            self.work.name(vessel, self.plan.label)
+        if group in word_list("is served in what it is baked in") and stages.has_no_portions():
+            return vessel
+        try:
+            return self._brought(vessel, self._dish_for(vessel, stages), stage)
+        except RefusedError:  # nobody of this FOON serves such a dish
+            return vessel
+
+    def _dish_for(self, vessel: Vessel, stages: Stages) -> str:
+        """Return what suits what is in a vessel: a bowl what runs, unless it is carved."""
+        return "bowl" if self.carry.is_wet(vessel.contents[0]) and not stages.on_plate else "plate"
+
+    def _brought(self, vessel: Vessel, label: str, stage: Stage) -> Vessel:
+        target = self.bench.vessel(label)
+        self.carry.transfer(vessel, target, stage)
+        return target
+
+    def _group(self, vessel: Vessel) -> str:
+        row = self.known.utensil(vessel.label)
+        return row.group if row is not None else ""
+
+    def _is_cooked_in(self, vessel: Vessel) -> bool:
+        row = self.known.utensil(vessel.label)
+        return row is not None and not row.can.isdisjoint({"heat", "cook", "bake"})

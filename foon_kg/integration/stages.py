@@ -6,6 +6,7 @@ Nothing is done here: :mod:`~foon_kg.integration.cooking` asks, and does.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
@@ -51,9 +52,18 @@ class Stages:
         row = self.known.utensil(line.stages[-1].vessel) if line.stages[-1].vessel else None
         return row is not None and "strain" in row.can
 
+    @cached_property
+    def on_plate(self) -> bool:
+        """Whether the dish lies on a plate, however much runs out of it: what is carved, and portions of flesh."""
+        if self.plan.label in word_list("is served on a plate"):
+            return True
+        portions = any(is_portion(join.want, self.known) for join in self.plan.joins)
+        return portions and not (self.plan.one_pot or self.plan.spooned)
+
     def lies_baked(self, vessel: Vessel | None) -> bool:
-        """Whether a dish that lies on its dough comes out of the oven in one piece, however wet what lies on it."""
-        return self.plan.laid and vessel is not None and any("baked" in stuff.states for stuff in vessel.contents)
+        """Whether a dish comes out of the oven in one piece, however wet what lies on its dough, or around a roast."""
+        whole = self.plan.laid or self.on_plate
+        return whole and vessel is not None and any("baked" in stuff.states for stuff in vessel.contents)
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:
         """Whether the next stage only goes on with what this one does: once is enough."""

@@ -44,10 +44,13 @@ def has_its_name(fit: Fit, asked: Asked, dish_type: str, tin: str, technique: Te
 
 
 def _is_such_a_dish(fit: Fit, asked: Asked, dish_type: str, tin: str) -> bool:
-    """Whether a recorded dish is of the asked type, with its core, in its tin, and explains what the title says."""
+    """Whether a recorded dish is of the asked type, with its core, in its tin, and explains what the title says.
+
+    Without a title a word of its name that no food explains (greek) is true where all of its foods are there.
+    """
     if fit.frame.dish_type != dish_type or missing_core(fit.dish, asked) or not is_truly(fit):
         return False
-    if asked.title and unexplained(fit.dish, asked):
+    if unexplained(fit.dish, asked) and (asked.title or not is_truly(fit, 1.0)):
         return False
     return all(dish.tin in {"", tin} for dish in asked.known.dishes_named(fit.frame.goal.label))
 

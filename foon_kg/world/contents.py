@@ -77,8 +77,9 @@ def _gather(out: Outcome, place: int) -> None:
         other = _to_be_moved(out, name, lump.where) or _left_behind(out, name, lump)
         if all(part.untold for part in lump.parts):
             lump.take(out.supply.name_lump(name, out.happening.number, None).parts)  # told now of what it is made
-        elif out.happening.does("heat") and (fat := _clings(out, name, lump)) is not None:
-            lump.take(part.copy() for part in fat.parts)
+        elif (some := _clings(out, name, lump)) is not None:
+            there_now = {part.name for part in lump.parts}
+            lump.take(part.copy() for part in some.parts if part.name not in there_now)
             lump.names.add(name)
         elif other is not None and other is not lump:
             lump.take(other.parts)
@@ -90,10 +91,27 @@ def _gather(out: Outcome, place: int) -> None:
 
 
 def _clings(out: Outcome, name: str, lump: Lump) -> Lump | None:
-    """Return the fat that is told beside what is fried in it: some of it is in that, the rest stays in the pan."""
+    """Return what is told beside a food and of which some is on it now: fat in which it is fried, and what coats it.
+
+    The rest of the fat stays in the pan with it, that of a coat in a vessel of its own.
+    """
     told = (out.happening.outputs.get(mention.node) for mention in out.mentions)
-    there = (one for one in told if one is not None and one is not lump and one.where is lump.where)
-    return next((one for one in there if name in one.names and all(part.food.is_a("fat") for part in one.parts)), None)
+    others = [one for one in told if one is not None and one is not lump and name in _held(one)]
+    if out.happening.does("heat"):
+        return next((one for one in others if _is_fat_beside(one, lump)), None)
+    return next((one for one in others if out.happening.does("coat") and _stays_in_its_bowl(out, one, lump)), None)
+
+
+def _is_fat_beside(one: Lump, lump: Lump) -> bool:
+    return one.where is lump.where and all(part.food.is_a("fat") for part in one.parts)
+
+
+def _stays_in_its_bowl(out: Outcome, one: Lump, lump: Lump) -> bool:
+    return one.where is not lump.where and one.where is out.before.get(id(one))
+
+
+def _held(lump: Lump) -> set[str]:
+    return {*lump.names, *(part.name for part in lump.parts)}
 
 
 def _left_behind(out: Outcome, name: str, lump: Lump) -> Lump | None:

@@ -45,6 +45,8 @@ def test_a_row_names_only_what_the_tables_know(name):
         ("Frozen Yogurt Pie", "pie", ("yogurt",), ["frozen"]),
         ("Frozen Yogurt Pie", "pie", ("frozen yogurt",), []),
         ("Tomato Soup", "soup", ("tomato",), []),
+        ("Baked Meatballs", "meatball", ("ground beef",), ["baked"]),
+        ("Beer Can Chicken", "chicken", ("chicken",), ["beer can"]),
     ],
 )
 def test_a_title_asks_for_what_its_words_say(title, dish_type, foods, said):

@@ -16,6 +16,7 @@ NAMES = (
     "dishes",
     "foods",
     "lists",
+    "methods",
     "motions",
     "savoury",
     "states",

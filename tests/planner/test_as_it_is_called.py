@@ -35,7 +35,7 @@ def test_balls_come_into_a_soup_when_it_boils(steps):
     told = steps("soup", "Meatball Soup", "ground beef:raw", "breadcrumbs:crumbs", "carrot:sliced", "beef broth:liquid",
                  "olive oil:liquid")  # fmt: skip
     assert inside(told, "shape") == {"ground beef", "breadcrumbs"}
-    assert motions(told).index("simmer") < max(place for place, one in enumerate(told) if "mixture" in one[0] and
+    assert motions(told).index("simmer") < max(place for place, one in enumerate(told) if "meatballs" in one[0] and
                                                "pot" in one[0])  # fmt: skip
     assert first(told, "beef broth", "pour") < motions(told).index("simmer")
 

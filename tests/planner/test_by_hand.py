@@ -64,9 +64,11 @@ def test_what_is_asked_in_slices_lies_on_a_patty_and_what_is_minced_is_in_it(bur
 
 def test_a_pan_is_hot_when_a_patty_comes_into_it_and_a_tool_lifts_that_out(burger):
     on = next(number for number, unit in enumerate(burger) if unit.motion == "turn on")
-    held = [{n.container for n in unit.output_nodes if n.label == "mixture"} for unit in burger]
-    assert on < next(number for number, containers in enumerate(held) if "cooking pan" in containers)
-    assert "turner" in labels(burger[next(number for number, containers in enumerate(held) if "plate" in containers)])
+    held = [{n.container for n in unit.output_nodes if n.label == "patties"} for unit in burger]
+    in_the_pan = next(number for number, containers in enumerate(held) if "cooking pan" in containers)
+    assert on < in_the_pan
+    lifted = next(number for number, containers in enumerate(held) if number > in_the_pan and "plate" in containers)
+    assert "turner" in labels(burger[lifted])
 
 
 def test_small_pieces_are_poured_and_never_picked_up_one_by_one(snapshot):

@@ -31,6 +31,16 @@ tomato (sliced) + onion (sliced) + bowl (empty) + spoon → MIX → salad ({onio
         ],
     ),
     story(
+        "of a coat that is told beside what is dipped some is on that, and the rest in its bowl",
+        """
+egg (cracked; in bowl) + bowl ({egg}) + fork → BEAT → egg (beaten; in bowl) + bowl ({egg})
+pork (raw) + plate (empty) → PICK-AND-PLACE → plate ({pork}) + pork (raw; on plate)
+plate ({pork}) + pork (raw; on plate) + bowl ({egg}) + egg (beaten; in bowl) → DIP
+  → plate ({egg, pork}) + pork (coated; {egg, pork}; on plate) + bowl ({egg}) + egg (beaten; in bowl)
+""",
+        ["bowl: egg (beaten)", "plate: pork or egg (coated) of egg + pork", "treated: pork; egg"],
+    ),
+    story(
         "a product of a product holds all parts",
         """
 flour (whole) + egg (cracked) + bowl (empty) → MIX → dough ({egg, flour}; in bowl) + bowl ({dough})

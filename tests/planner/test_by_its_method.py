@@ -1,0 +1,101 @@
+"""What the verb of a title asks for is done: it is roasted in the oven, dipped in its coats, shaped in portions."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, motions
+
+pytestmark = pytest.mark.shared_data
+
+BREADED = ("flour:powder", "eggs:beaten", "breadcrumbs:crumbs")
+
+
+def dips(told):
+    return [(inputs, outputs) for inputs, motion, outputs in told if motion == "dip"]
+
+
+@pytest.mark.parametrize(
+    ("title", "foods"),
+    [
+        ("Roast Leg of Lamb", ("leg of lamb:raw", "garlic:minced", "rosemary:chopped", "olive oil:liquid")),
+        ("Herb Roasted Pork Loin", ("pork loin roast:raw", "mustard:creamy", "thyme:dried", "salt:granulated")),
+        ("Prime Rib", ("standing rib roast:raw", "butter:softened", "garlic:minced", "salt:granulated")),
+    ],
+)
+def test_a_roast_is_rubbed_roasted_in_the_oven_and_carved_on_a_plate(steps, title, foods):
+    told = steps("roast", title, *foods)
+    assert motions(told).index("brush") < motions(told).index("bake") < motions(told).index("slice", 5)
+    assert "stove" not in set().union(*(inputs for inputs, _, _ in told))
+    assert {node.container for node in told[-1][2] if node.label == "roast"} == {"plate"}
+
+
+def test_what_is_roasted_around_it_lies_in_the_same_dish(steps):
+    told = steps("beef", "Roast Beef with Potatoes", "sirloin roast:raw", "potatoes:quartered", "vegetable oil:liquid")
+    (inputs,) = [inputs for inputs, motion, _ in told if motion == "bake"]
+    assert {"sirloin roast", "potatoes", "oven"} <= inputs
+
+
+def test_every_coat_has_a_bowl_of_its_own_and_its_rest_stays_there(steps):
+    told = steps("pork", "Pork Schnitzel", "pork chops:boneless", *BREADED, "oil:liquid", "salt:granulated")
+    assert len(dips(told)) == 3
+    for _, outputs in dips(told):
+        (bowl,) = [node for node in outputs if node.label == "bowl"]
+        assert bowl.ingredients
+        assert {node.container for node in outputs if node.label == "pork chops"} == {"plate"}
+
+
+def test_a_batter_is_left_behind_when_several_foods_are_dipped(steps):
+    told = steps("vegetables", "Vegetable Tempura", "sweet potato:sliced", "broccoli:floret", "flour:powder",
+                 "egg:uncooked", "water:liquid", "oil:liquid")  # fmt: skip
+    ((_, outputs),) = dips(told)
+    coated = {node.label for node in outputs if "coated" in node.states}
+    assert coated == {"sweet potato", "broccoli"}
+    assert any(node.label == "mixing bowl" and node.ingredients for node in outputs)
+
+
+def test_what_is_oven_fried_is_baked_on_a_tray(steps):
+    told = steps("chicken", "Oven Fried Chicken", "chicken thighs:raw", "buttermilk:liquid", "cornflake crumbs:crumbs",
+                 "paprika:ground", "salt:granulated")  # fmt: skip
+    assert len(dips(told)) == 2
+    assert first(told, "chicken thighs", "dip") < first(told, "baking tray", "bake")
+    assert "cooking pan" not in set().union(*(inputs for inputs, _, _ in told))
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "foods", "portions"),
+    [
+        ("meatball", "Baked Meatballs", ("ground beef:raw", "breadcrumbs:crumbs", "egg:uncooked", "milk:liquid",
+                                         "garlic:minced", "salt:granulated"), "meatballs"),
+        ("potatoes", "Potato Latkes", ("potatoes:grated", "onion:grated", "egg:uncooked", "flour:powder",
+                                       "salt:granulated", "oil:liquid"), "patties"),
+        ("burger", "Burgers", ("ground beef:raw", "salt:granulated", "hamburger buns:whole"), "patties"),
+    ],
+)  # fmt: skip
+def test_a_mass_is_shaped_in_portions_that_lie_on_a_plate(steps, dish_type, title, foods, portions):
+    told = steps(dish_type, title, *foods)
+    (outputs,) = [outputs for _, motion, outputs in told if motion == "shape"]
+    assert {(node.label, node.container) for node in outputs if node.container} == {(portions, "plate")}
+
+
+def test_milk_and_what_seasons_meatballs_is_mixed_in_before_they_are_shaped_and_baked(steps):
+    told = steps("meatball", "Oven Baked Meatballs", "ground turkey:raw", "breadcrumbs:crumbs", "egg:uncooked",
+                 "milk:liquid", "parmesan:grated", "garlic:minced", "parsley:chopped", "salt:granulated")  # fmt: skip
+    shaped = motions(told).index("shape")
+    (whole,) = [node for node in told[shaped][2] if node.label == "meatballs"]
+    assert len(whole.ingredients) == 8
+    assert "stove" not in set().union(*(inputs for inputs, _, _ in told))
+
+
+def test_a_loaf_of_meat_stays_in_one_piece(steps):
+    told = steps("meatloaf", "Meatloaf", "ground beef:raw", "breadcrumbs:crumbs", "egg:uncooked", "salt:granulated")
+    assert "patties" not in set().union(*(inputs for inputs, _, _ in told))
+
+
+def test_a_steak_lies_on_a_plate(steps):
+    told = steps("steak", "Pan Seared Steak", "steak:raw", "butter:unmelted", "oil:liquid", "cream:liquid")
+    assert {node.container for node in told[-1][2] if node.label == "steak"} == {"plate"}
+
+
+def test_without_a_title_no_word_of_a_recorded_name_goes_unexplained(steps):
+    told = steps("salad", "", "tomato:chopped", "onion:sliced", "pepper:chopped", "olive oil:liquid", "lettuce:torn")
+    assert {node.label for node in told[-1][2] if node.container} == {"salad"}
