@@ -269,7 +269,7 @@ class Carrier:
         liquids = word_list("stays liquid")
         if "baked" not in stuff.states and any(f"kind:{food.kind}" in liquids for food in foods):
             return True
-        if "baked" not in stuff.states and _is_a_sauce(foods):
+        if "baked" not in stuff.states and (_is_a_sauce(foods) or _is_melted(stuff, foods)):
             return True
         if any(self.known.state(state).needs_heat for state in stuff.states):
             baked = "baked" in stuff.states and binds(stuff.foods, self.known)
@@ -474,6 +474,12 @@ def _is_poured(known: Tables, label: str, states: tuple[str, ...]) -> bool:
     form = form_of(known, label, states)
     loose = facts.is_a(*word_list("lies loose")) and word_list("lies in one piece").isdisjoint(states)
     return form in {"liquid", "powder"} or finest >= _SMALL or (loose and form in {"pieces", "whole"})
+
+
+def _is_melted(stuff: Stuff, foods: Sequence[Food]) -> bool:
+    """Whether a mixture is hot fat with what only seasons it."""
+    seasoned = all(food.is_a(*word_list("runs with melted fat")) for food in foods)
+    return "cooked" in stuff.states and seasoned and any(food.is_a("fat") for food in foods)
 
 
 def _is_a_sauce(foods: Sequence[Food]) -> bool:

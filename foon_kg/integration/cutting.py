@@ -61,6 +61,9 @@ class Cutter:
     def _way_to_cut_so(self, want: Want, state: str) -> Attested | None:
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
         ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
+        if want.facts.is_a(*word_list("wants a knife")) and not want.facts.is_a(*word_list("is broken by hand")):
+            bare, unfit = word_list("is done by bare hands"), word_list("is no knife")
+            ways = [way for way in ways if (way[1] or way[0] not in bare) and unfit.isdisjoint(way[1])] or ways
         if wants_a_mill(state, want.facts, self.known):
             ways = [way for way in ways if is_mill(way, self.known)]
         if state in word_list("is pulled apart by hand"):

@@ -368,6 +368,10 @@ class Preparer(Cutter):
 
     def _cut(self, ready: Ready, state: str) -> None:
         want = ready.want
+        powder = next((one for one in ready.stuff.states if (self.known.state(one).fine or 0) >= POWDER), "")
+        if powder and (self.known.state(state).fine or 0) < POWDER:  # nobody makes pieces of a powder
+            ready.read_as = powder if state == want.make else ready.read_as
+            return
         attested = self.way_to_cut(want, state)
         if attested is None:
             self._assume(ready, state)

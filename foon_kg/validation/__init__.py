@@ -54,7 +54,7 @@ ASKED: dict[str, Callable[[Case], Iterator[Finding]]] = {
     "W1": _all(_of_world("W1"), handling.used_up),
     "W2": _of_world("W2"),
     "W3": _of_world("W3"),
-    "W4": _all(robot.idle, handling.picked_up, handling.too_hard),
+    "W4": _all(robot.idle, handling.picked_up, handling.too_hard, handling.coarser, handling.broken_raw),
     "W5": robot.order,
     "K1": table.raw,
     "K2": table.whole,

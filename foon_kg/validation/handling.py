@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
@@ -45,6 +45,36 @@ def too_hard(case: Case) -> Iterator[Finding]:
             fine = any((case.tables.state(state).fine or 0) >= _AS_POWDER for state in set(node.states) - before)
             if fine and not all(part.food.is_a(*word_list("is soft enough for a knife")) for part in lump.parts):
                 yield Finding("W4", f"{lump.label} is too hard to be ground by a knife", happening.number, (node,))
+
+
+def coarser(case: Case) -> Iterator[Finding]:
+    """Return a finding for each food that is as fine as powder, and of which a cut is said to make pieces."""
+    for happening in case.happenings:
+        if not happening.does("cut"):
+            continue
+        before = {mention.node.label: set(mention.node.states) for mention in happening.step.inputs}
+        for node in happening.outputs:
+            was = before.get(node.label, set())
+            fine, now = _finest(was, case), _finest(set(node.states) - was, case)
+            if fine >= _AS_POWDER and 0 < now < fine:
+                yield Finding("W4", f"{node.label} is finer than that already", happening.number, (node,))
+
+
+def _finest(states: Iterable[str], case: Case) -> int:
+    return max((case.tables.state(state).fine or 0 for state in states), default=0)
+
+
+def broken_raw(case: Case) -> Iterator[Finding]:
+    """Return a finding for each firm raw food that bare hands are said to break into pieces."""
+    for happening in case.happenings:
+        if happening.step.motion not in word_list("is done by bare hands") or not happening.does("cut"):
+            continue
+        if any(vessel.row.role == "tool" for vessel in happening.vessels):
+            continue
+        for node, lump in happening.outputs.items():
+            firm = (part for part in lump.parts if part.heated is None and part.food.is_a(*word_list("wants a knife")))
+            if any(not part.food.is_a(*word_list("is broken by hand")) for part in firm):
+                yield Finding("W4", f"nobody breaks {node.label} by hand", happening.number, (node,))
 
 
 def _grated_small(happening: Happening) -> Iterator[Finding]:

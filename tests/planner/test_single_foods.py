@@ -132,3 +132,10 @@ def test_a_dish_is_not_asked_for_what_its_title_says_it_has_not(steps):
         "water:liquid",
     )
     assert "bake" in {motion for _, motion, _ in cake}
+
+
+def test_crumbs_are_under_no_knife_and_firm_fruit_is_broken_by_no_hand(steps):
+    cod = steps("seafood", "Baked Cod with Crumb Topping", "cod:raw", "panko:crumbs", "butter:melted", "parsley:minced")
+    assert not [inputs for inputs, _, _ in cod if {"panko", "knife"} <= inputs]
+    rice = steps("rice", "", "tenderloin:pieces", "pineapple:pieces", "rice:uncooked", "broth:liquid", "onion:whole")
+    assert not {"break apart", "tear apart", "pull apart"} & {motion for _, motion, _ in rice}

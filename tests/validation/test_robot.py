@@ -527,6 +527,24 @@ def test_w4_a_knife_grinds_what_is_soft(food, state, motion, tool, fault):
     assert any("too hard" in told for told in found("W4", step)) is fault
 
 
+@pytest.mark.parametrize(
+    ("before", "after", "fault"),
+    [("ground", "minced", True), ("powder", "chopped", True), ("chopped", "minced", False), ("whole", "minced", False)],
+)
+def test_w4_no_knife_makes_pieces_of_a_powder(before, after, fault):
+    step = f"garlic ({before}) + cutting board (empty) + knife → CHOP → garlic ({after}; on cutting board)"
+    assert any("finer" in told for told in found("W4", step)) is fault
+
+
+@pytest.mark.parametrize(
+    ("food", "tool", "fault"),
+    [("pork tenderloin", "", True), ("pineapple", "", True), ("pineapple", " + knife", False), ("lettuce", "", False)],
+)
+def test_w4_bare_hands_break_nothing_firm_and_raw(food, tool, fault):
+    step = f"{food} (whole) + bowl (empty){tool} → BREAK APART → {food} (pieces; in bowl) + bowl ({{{food}}})"
+    assert any("by hand" in told for told in found("W4", step)) is fault
+
+
 @pytest.mark.parametrize(("state", "fault"), [("flakes", True), ("powder", True), ("whole", False), ("block", False)])
 def test_w4_no_grater_holds_what_is_small(state, fault):
     step = f"coconut ({state}) + bowl (empty) + grater → GRATE → coconut (grated; in bowl) + bowl ({{coconut}})"
