@@ -233,14 +233,23 @@ class Carrier:
             self._keep_water(pot, self.kept.pop())
         foods = tuple(dict.fromkeys(food for stuff in stuffs for food in stuff.foods))
         drained = self.bench.require([("drain", ()), ("pour", ())], foods)
+        salted = [stuff for stuff in stuffs if not stuff.mixed and self._dissolves(stuff)]
+        kept = [stuff for stuff in stuffs if stuff not in salted] or list(stuffs)
 
         def change() -> None:
             pot.contents.clear()
-            for stuff in stuffs:
+            for stuff in kept:
                 strainer.contents.append(stuff)
                 stuff.at = strainer
+            for stuff in salted if kept[0] not in salted else ():  # it is in what was boiled in it
+                kept[0].foods += stuff.foods
+                kept[0].wants |= stuff.wants
 
-        self.bench.emit(drained, [pot, *stuffs, strainer], change, [strainer, *stuffs, pot])
+        self.bench.emit(drained, [pot, *stuffs, strainer], change, [strainer, *kept, pot])
+
+    def _dissolves(self, stuff: Stuff) -> bool:
+        facts = self.known.foods.food(stuff.label)
+        return facts.is_a(*word_list("goes into the water")) and not facts.is_a("water")
 
     def _keep_water(self, pot: Vessel, ready: Ready) -> None:
         """Take some of the water of a pot, which is asked under a name of its own, before it is poured away."""
@@ -369,9 +378,13 @@ class Carrier:
         if source is not None and source.label == _TAP and vessel.device is not None:
             jug = self.bench.vessel(_JUG)
             self.bench.bring([stuff], jug, self._way_of(ready, slot, jug))
-        attested = self._way_of(ready, slot, vessel)
+        attested = self._with_spoon(self._way_of(ready, slot, vessel))
         smears = attested.way[0] in word_list("greases") and form_of(self.known, stuff.label, stuff.states) == "soft"
         self.bench.bring([stuff], vessel, attested, onto=list(vessel.contents) if smears else ())
+
+    def _with_spoon(self, attested: Attested) -> Attested:
+        """Return a way with the tool that scoops, where a video forgot to name it."""
+        return self.preparer.with_tool(attested) if attested.way[0] in word_list("is scooped by") else attested
 
     def bring_part(self, ready: Ready, vessel: Vessel) -> None:
         """Bring some of a food that is in pieces into or onto a vessel."""

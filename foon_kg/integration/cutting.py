@@ -61,9 +61,7 @@ class Cutter:
     def _way_to_cut_so(self, want: Want, state: str) -> Attested | None:
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
         ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
-        if want.facts.is_a(*word_list("wants a knife")) and not want.facts.is_a(*word_list("is broken by hand")):
-            bare, unfit = word_list("is done by bare hands"), word_list("is no knife")
-            ways = [way for way in ways if (way[1] or way[0] not in bare) and unfit.isdisjoint(way[1])] or ways
+        ways = self._with_a_knife(ways, want)
         if wants_a_mill(state, want.facts, self.known):
             ways = [way for way in ways if is_mill(way, self.known)]
         if state in word_list("is pulled apart by hand"):
@@ -81,6 +79,13 @@ class Cutter:
                 like = self.bench.far(grating, want.names, act=True)
             return like or self._nearest_cut(ways, want, state)
         return self._nearest_cut(ways, want, state)
+
+    def _with_a_knife(self, ways: list[Way], want: Want) -> list[Way]:
+        """Return the ways that divide a food: where it is firm, not by bare hands, nor with what is no knife."""
+        if not want.facts.is_a(*word_list("wants a knife")) or want.facts.is_a(*word_list("is broken by hand")):
+            return ways
+        bare, unfit = word_list("is done by bare hands"), word_list("is no knife")
+        return [way for way in ways if (way[1] or way[0] not in bare) and unfit.isdisjoint(way[1])] or ways
 
     def _nearest_cut(self, ways: Sequence[Way], want: Want, state: str) -> Attested | None:
         usual = self._usual_ways(ways, state)

@@ -265,7 +265,8 @@ def is_mill(way: Way, known: Tables) -> bool:
 def _misread(want: Want) -> Want | None:
     """Return a food whose asked state says nothing of it alone, or needs a machine: as something like it."""
     sold = want.facts.sold_as
-    if want.asked in word_list("says nothing of one food"):
+    piece = sold in word_list("is one piece of it") and want.asked in word_list("is no state of a piece")
+    if piece or want.asked in word_list("says nothing of one food"):
         return replace(want, leaf=(sold,) if sold else (), read_as=sold)
     if want.asked in word_list("needs a machine") and want.facts.is_a("vegetable") and want.facts.is_a("raw"):
         state = min(word_list("is made fine by hand"))

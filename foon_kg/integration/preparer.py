@@ -55,7 +55,7 @@ class Preparer(Cutter):
         """
         due = self._due(want)
         later = want.then and want.then not in word_list("only what is soft is so")  # it stays whole until it is done
-        cut = "" if later else self._cut_state(want, form, due, divided=divided)
+        cut = "" if later else self._cut_state(want, form, due, divided=divided, alone=alone)
         pieces = self._comes_in_pieces(want, cut)
         worked = pieces and self._way_so(want, cut) is not None
         pieces = pieces and not worked
@@ -256,7 +256,7 @@ class Preparer(Cutter):
         if cut:
             self._cut(ready, cut)
 
-    def _cut_state(self, want: Want, form: Sequence[str], due: set[str], *, divided: bool) -> str:
+    def _cut_state(self, want: Want, form: Sequence[str], due: set[str], *, divided: bool, alone: bool = True) -> str:
         asked = self.known.state(want.make) if want.make else None
         if asked is not None and (asked.fine or 0) > 0:
             return want.make
@@ -275,7 +275,7 @@ class Preparer(Cutter):
             and not want.facts.is_a(*word_list("is served in leaves"))
         ):
             due = due | {"cut"}  # nobody serves it in one piece, though it could be eaten so
-        first = not want.cooked or want.facts.is_a(*word_list("is split"))  # what is toasted is cut before
+        first = not (want.cooked and alone) or want.facts.is_a(*word_list("is split"))  # what is toasted is cut before
         for state in form if first else ():
             if state in word_list("is a shape of some foods") and not self.comes_so(want, state):
                 continue
@@ -366,11 +366,17 @@ class Preparer(Cutter):
         """Whether a food is taken in pieces since nobody brings such a one into them: then it is not peeled before."""
         return bool(cut) and not self.is_mashed_raw(want) and self.way_to_cut(want, cut) is None
 
+    def _is_finer(self, ready: Ready, state: str) -> bool:
+        """Whether a food is a powder already, of which nobody makes pieces; it is read as that where it is asked."""
+        powder = next((one for one in ready.stuff.states if (self.known.state(one).fine or 0) >= POWDER), "")
+        finer = bool(powder) and (self.known.state(state).fine or 0) < POWDER
+        if finer and state == ready.want.make:
+            ready.read_as = powder
+        return finer
+
     def _cut(self, ready: Ready, state: str) -> None:
         want = ready.want
-        powder = next((one for one in ready.stuff.states if (self.known.state(one).fine or 0) >= POWDER), "")
-        if powder and (self.known.state(state).fine or 0) < POWDER:  # nobody makes pieces of a powder
-            ready.read_as = powder if state == want.make else ready.read_as
+        if self._is_finer(ready, state):
             return
         attested = self.way_to_cut(want, state)
         if attested is None:

@@ -9,7 +9,7 @@ from foon_kg.model import ObjectNode
 from foon_kg.model.tree import Step
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
-from foon_kg.world import Happening
+from foon_kg.world import Happening, Part
 from foon_kg.world.running import is_runny
 
 _AS_POWDER = 5
@@ -67,14 +67,21 @@ def _finest(states: Iterable[str], case: Case) -> int:
 def broken_raw(case: Case) -> Iterator[Finding]:
     """Return a finding for each firm raw food that bare hands are said to break into pieces."""
     for happening in case.happenings:
-        if happening.step.motion not in word_list("is done by bare hands") or not happening.does("cut"):
-            continue
-        if any(vessel.row.role == "tool" for vessel in happening.vessels):
+        if happening.step.motion not in word_list("is done by bare hands") or _has_tool(happening):
             continue
         for node, lump in happening.outputs.items():
-            firm = (part for part in lump.parts if part.heated is None and part.food.is_a(*word_list("wants a knife")))
-            if any(not part.food.is_a(*word_list("is broken by hand")) for part in firm):
+            if any(map(_wants_a_knife, lump.parts)):
                 yield Finding("W4", f"nobody breaks {node.label} by hand", happening.number, (node,))
+
+
+def _has_tool(happening: Happening) -> bool:
+    return not happening.does("cut") or any(vessel.row.role == "tool" for vessel in happening.vessels)
+
+
+def _wants_a_knife(part: Part) -> bool:
+    """Whether a food is firm, and nothing made it soft yet."""
+    raw = part.heated is None and part.food.is_a(*word_list("wants a knife"))
+    return raw and not part.food.is_a(*word_list("is broken by hand"))
 
 
 def _grated_small(happening: Happening) -> Iterator[Finding]:

@@ -139,3 +139,23 @@ def test_crumbs_are_under_no_knife_and_firm_fruit_is_broken_by_no_hand(steps):
     assert not [inputs for inputs, _, _ in cod if {"panko", "knife"} <= inputs]
     rice = steps("rice", "", "tenderloin:pieces", "pineapple:pieces", "rice:uncooked", "broth:liquid", "onion:whole")
     assert not {"break apart", "tear apart", "pull apart"} & {motion for _, motion, _ in rice}
+
+
+def test_salt_of_the_water_is_in_what_was_boiled_in_it_and_not_left_in_the_strainer(steps):
+    told = steps("noodle", "", "noodle:uncooked", "salt:ground", "butter:ground", "corn:grain", "egg:whipped")
+    drained = [outputs for inputs, _, outputs in told if {"strainer", "pot"} <= inputs and "noodle" in inputs]
+    assert drained
+    assert not any(node.label == "salt" for outputs in drained for node in outputs)
+    assert "salt" in told[-1][2][0].ingredients
+
+
+def test_a_cheese_that_is_called_creamy_is_cut_off_its_block(steps):
+    told = steps("noodle", "", "noodle:uncooked", "chicken:baked", "broth:liquid", "mozzarella:creamy", "onion:whole")
+    assert {"slice", "grate", "dice", "chop"} & set(motions_of(told, "mozzarella"))
+    assert "chopped" in states_of(told, "chicken")
+
+
+def test_what_is_scooped_is_scooped_with_something(steps):
+    told = steps("salad", "", "onion:whole", "garlic:minced", "feta:cubed", "almond:toasted", "olive oil:liquid")
+    scooped = [inputs for inputs, motion, _ in told if motion in {"scoop", "scoop and pour"}]
+    assert all({"spoon", "ladle", "spatula"} & inputs for inputs in scooped)
