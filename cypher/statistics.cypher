@@ -18,8 +18,7 @@ RETURN
   COUNT { (:Object) } AS object_nodes,
   COUNT { (:Label) } AS labels,
   coalesce(size(f.states), 0) + COUNT {
-    WITH f
-    WHERE f.states IS NULL
+    UNWIND CASE WHEN f.states IS NULL THEN [f] ELSE [] END AS uncounted
     MATCH (o:Object)
     UNWIND o.states AS state
     RETURN DISTINCT state

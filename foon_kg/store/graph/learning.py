@@ -107,14 +107,18 @@ class Learner:
             yield from ((operator, matter) for matter in done)
 
     def _evidence(self, pairs: set[Pair]) -> dict[Pair, Seen]:
-        """Return the evidence for ``pairs``: what was kept, with what is new; found out anew where some of it went."""
+        """Return the evidence for ``pairs``: what was kept, with what is new.
+
+        Where some of it went it is found out anew if there may be more than was kept: fewer than that are all.
+        """
         found: dict[Pair, Seen] = {pair: ([], []) for pair in pairs}
         lost: set[Pair] = set()
         for row in self._ask(cypher.EVIDENCE, pairs=_by_operator(pairs)):
             for operator, matter, *kept in row.kept:
                 for sightings, texts in zip(found[operator, matter], kept, strict=True):
-                    sightings.extend(map(_sighting_value, texts))
-                    if any(video in self._forgotten for video, *_ in sightings):
+                    left = [one for one in map(_sighting_value, texts) if one[0] not in self._forgotten]
+                    sightings.extend(left)
+                    if len(left) < len(texts) >= MOST_SIGHTINGS:
                         lost.add((operator, matter))
         for unit, new in self._sighted.items():
             operator, done, changes = self._attested[unit]
