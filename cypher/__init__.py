@@ -80,7 +80,10 @@ def _folder(name: str) -> tuple[NamedQuery, ...]:
 
 
 def read_query(name: str, text: str) -> NamedQuery:
-    """Return the query called ``name`` of the ``text`` of a ``.cypher`` file."""
+    """Return the query called ``name`` of the ``text`` of a ``.cypher`` file.
+
+    Raises ValueError where its header does not say whether it reads or writes.
+    """
     fields: dict[str, list[str]] = {word: [] for word in _FIELDS}
     prose: list[str] = []
     for line in _header(text.splitlines()):

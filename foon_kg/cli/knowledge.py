@@ -48,9 +48,10 @@ def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
 
 
 def subgraphs_of(paths: Sequence[Path], say: Say) -> list[Subgraph]:
-    """Read subgraph files and folders.
+    """Return the subgraphs of the files and folders at ``paths``.
 
-    What their files have wrong is counted for ``say``, and so are words of which no table knows anything.
+    What their files have wrong is counted for ``say``, and so are words of which no table knows anything. Raises
+    UsageError where there is no such path, or no subgraph in any.
     """
     from foon_kg.cli.runs import counting
     from foon_kg.loaders.lessons import is_drafts_file

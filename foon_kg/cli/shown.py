@@ -112,7 +112,10 @@ class Shown:
         return schedule(self.tree.units, self.tree.kitchen, durations, Kitchen.default(), self.hands)
 
     def difference(self) -> tuple[StepChange, ...]:
-        """Return what became of the steps of the reference tree."""
+        """Return what became of the steps of the reference tree.
+
+        Raises UsageError for a tree that names no reference, and where the FOON has another one than the plan had.
+        """
         from foon_kg.cli.knowledge import front_door
         from foon_kg.plans.step_changes import step_changes
 

@@ -96,7 +96,10 @@ def _singular(word: str, kept: frozenset[str]) -> str:
 
 @lru_cache(maxsize=8)
 def alias_table(own_file: str = "") -> AliasTable:
-    """Return foon-kg's own aliases, overruled by those of ``own_file`` (``""`` for none)."""
+    """Return foon-kg's own aliases, overruled by those of ``own_file`` (``""`` for none).
+
+    Raises ReadError where that file cannot be read, with the line where one of its lines cannot.
+    """
     shipped = files("foon_kg.data").joinpath("aliases.txt").read_text(encoding="utf-8")
     table = _read(shipped.splitlines(), "aliases.txt", AliasTable({}, {}, frozenset()))
     if not own_file:

@@ -114,8 +114,8 @@ class Cook:
     def answer(self, question: Question, *, explain: bool = False) -> Answer:
         """Return the answer to one ``question``, and why, where that, the settings or ``explain`` ask it.
 
-        Where somebody writes to the FOON meanwhile it is answered anew, from what is there then. What is raised is not
-        about this recipe, and ends the batch.
+        Where somebody writes to the FOON meanwhile it is answered anew, from what is there then; raises GraphError
+        where that goes on. What is raised is not about this recipe, and ends the batch.
         """
         for _ in range(MOST_WRITES):
             answer = self._answer(question, explain=explain)

@@ -67,7 +67,10 @@ class IngredientWords:
         return replace(wanted, part=part), notes
 
     def parts(self, text: str) -> tuple[str, list[str], list[str]]:
-        """Return the food that ``text`` names, its known states, and the words that are neither; see :meth:`read`."""
+        """Return the food that ``text`` names, its known states, and the words that are neither; see :meth:`read`.
+
+        Raises UsageError for a text without a word.
+        """
         if not text.strip(" ,"):
             raise UsageError("an ingredient is empty", hint="Write its state and its name, as in “chopped onion”.")
         food, comma, state = (part.strip() for part in text.partition(","))

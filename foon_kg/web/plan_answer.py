@@ -37,7 +37,8 @@ def plan_to_json(
     """Return the plan in an ``answer`` to ``question``, what to buy and where to look, and what else is asked.
 
     That may be why it is so, with what the judge says who compares it with ``foon``; when what is done, by
-    ``durations`` (seconds); and pictures. ``places`` are the units of the FOON by where they are seen.
+    ``durations`` (seconds); and pictures. ``places`` are the units of the FOON by where they are seen. Raises TypeError
+    for an answer without a plan.
     """
     plan, kitchen = answer.outcome, Kitchen.default()
     if not isinstance(plan, PlanResult):

@@ -27,7 +27,7 @@ def text_of(frame: Frame) -> str:
 
 
 def frame_of(text: str) -> Frame:
-    """Return the frame that :func:`text_of` wrote."""
+    """Return the frame of the ``text`` that :func:`text_of` wrote; raises TypeError for that of anything else."""
     frame = _value(json.loads(text))
     if not isinstance(frame, Frame):
         raise TypeError("the text is not that of a frame")

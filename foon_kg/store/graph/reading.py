@@ -184,7 +184,10 @@ class GraphView:
     def behind(
         self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = (), *, most: int | None = None
     ) -> tuple[KnownUnit, ...]:
-        """Return every unit, at most ``most``, that may take part in making ``nodes`` or ``foods``, sorted by key."""
+        """Return every unit that may take part in making ``nodes`` or ``foods``, sorted by key.
+
+        Raises TooManyUnitsError for more than ``most``, where that is a number.
+        """
         keys = sorted({node.key for node in nodes})
         asked = [{"label": label, "state": state} for label, state in sorted(set(foods))]
         one = len(keys) == 1 and not asked

@@ -69,7 +69,10 @@ class RecipeCounts:
 
 
 def take_turn(ask: Ask) -> None:
-    """Wait, with ``ask``, until no other program writes; count recipes first that an earlier foon-kg stored."""
+    """Wait, with ``ask``, until no other program writes; count recipes first that an earlier foon-kg stored.
+
+    Raises GraphError where the database was emptied meanwhile.
+    """
     row = next(iter(ask(cypher.RECIPES_TURN)), None)
     if row is None:
         raise GraphError("the database was emptied meanwhile", hint="Load again: that makes all that is needed anew.")

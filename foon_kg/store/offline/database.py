@@ -111,7 +111,7 @@ class Database:
 
 
 def nodes_of(name: str) -> Nodes:
-    """Return the table of the label ``name``."""
+    """Return the table of the label ``name``; raises TypeError where that is no label."""
     table = _TABLES[name]
     if not isinstance(table, Nodes):
         raise TypeError(name)
@@ -119,7 +119,7 @@ def nodes_of(name: str) -> Nodes:
 
 
 def edges_of(name: str) -> Edges:
-    """Return the table ``name`` of a type of relationship between two labels."""
+    """Return the table ``name`` of a type of relationship between two labels; raises TypeError where it is none."""
     table = _TABLES[name]
     if not isinstance(table, Edges):
         raise TypeError(name)

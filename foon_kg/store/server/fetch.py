@@ -35,7 +35,7 @@ def repositories() -> tuple[str, ...]:
     """Return the addresses of the Maven repositories to ask, in order.
 
     ``FOON_KG_MAVEN`` names one and only one; otherwise they are those of jgo: its own default, and what the person's
-    jgo configuration names.
+    jgo configuration names. Raises ServerError where jgo, of the extra ``server``, is not installed.
     """
     if chosen := os.environ.get("FOON_KG_MAVEN"):
         return (chosen.rstrip("/"),)
@@ -80,7 +80,7 @@ def fetch_one(jar: Jar, folder: Path, sources: Sequence[str], advance: Advance =
     """Bring one ``jar`` into ``folder`` from the first of ``sources`` that has it.
 
     Its ``.part`` file is continued and verified, and then gets its name in one step. ``advance`` hears how many bytes
-    came.
+    came. Raises ServerError where it cannot be had, or what comes is not the pinned jar.
     """
     part = folder / f"{jar.name}.part"
     advance(part.stat().st_size if part.exists() else 0)
