@@ -27,9 +27,9 @@ def doctor(
     and what a Neo4j of others should set. Nothing is started, fetched or changed. Exit code 1 where something will not
     work.
     """
-    from foon_kg.store.doctor import Level, examine
+    from foon_kg.foon import Foon
 
-    found = list(examine(thorough=thorough))
+    found = list(Foon.examine(thorough=thorough))
     if as_json:
         print_json([asdict(one) for one in found])
     else:
@@ -37,5 +37,5 @@ def doctor(
             typer.echo(f"{_SIGNS[one.level]:6}{one.subject}: {one.what}")
             if one.remedy:
                 typer.echo(f"      {one.remedy}")
-    if any(one.level is Level.FAULT for one in found):
+    if any(one.level == "fault" for one in found):
         raise typer.Exit(1)

@@ -12,7 +12,7 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -36,6 +36,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.plans.result import PlanResult
     from foon_kg.plans.stock import StockedKitchen
     from foon_kg.search.classic import RetrievalResult
+    from foon_kg.store.doctor import Finding
     from foon_kg.store.graph import GraphView
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.statistics import Statistics
@@ -290,6 +291,19 @@ class Foon(Answering):
         from foon_kg.planning.suggestion import suggest
 
         return self.of_one_state(lambda view: suggest(view, kitchen, most=most, time_limit=time_limit))
+
+    @staticmethod
+    def examine(*, thorough: bool = False) -> Iterator[Finding]:
+        """Yield what stands in the way of foon-kg on this machine, and what to do about it, as ``foon doctor`` does.
+
+        ``thorough`` reads every file of the local Neo4j, too (some seconds). Nothing is started, fetched or written.
+
+        >>> next(Foon.examine()).subject
+        'Python'
+        """
+        from foon_kg.store.doctor import examine
+
+        return examine(thorough=thorough)
 
     def statistics(self) -> Statistics:
         """Return how much the FOON holds: videos, units, objects, goals. Neo4j counts its own, of any size.

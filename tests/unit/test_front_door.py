@@ -41,8 +41,7 @@ ALLOWED = {
 """Names of other rooms that anybody at the door may use; ``None``: all."""
 
 ROOMS_OF_THEIR_OWN = {
-    "cli.doctor": "store.doctor",  # looks after the program, not after a FOON
-    "cli.server": "store.server",
+    "cli.server": "store.server",  # looks after the program, not after a FOON
     "cli.evaluate": "evaluation",  # measures what the door answers
     "web.examples": "evaluation.left_out_video",
     "cli.draft": "language",  # makes subgraphs of words: nothing is asked of a FOON but its units
