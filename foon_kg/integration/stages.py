@@ -57,8 +57,9 @@ class Stages:
         """Whether the dish lies on a plate, however much runs out of it: what is carved, and portions of flesh."""
         if self.plan.label in word_list("is served on a plate"):
             return True
-        portions = any(is_portion(join.want, self.known) for join in self.plan.joins)
-        return portions and not (self.plan.one_pot or self.plan.spooned)
+        flesh = [join.want for join in self.plan.joins if join.want.facts.is_a(*word_list("is coated"))]
+        in_one = any(is_portion(want, self.known) or want.asked == "whole" for want in flesh)
+        return in_one and not (self.plan.one_pot or self.plan.spooned)
 
     def lies_baked(self, vessel: Vessel | None) -> bool:
         """Whether a dish comes out of the oven in one piece, however wet what lies on its dough, or around a roast."""

@@ -99,3 +99,14 @@ def test_a_steak_lies_on_a_plate(steps):
 def test_without_a_title_no_word_of_a_recorded_name_goes_unexplained(steps):
     told = steps("salad", "", "tomato:chopped", "onion:sliced", "pepper:chopped", "olive oil:liquid", "lettuce:torn")
     assert {node.label for node in told[-1][2] if node.container} == {"salad"}
+
+
+@pytest.mark.parametrize("title", ["Steak Diane", "Steak with Mushroom Sauce"])
+def test_flesh_is_seasoned_before_the_pan_and_taken_out_before_its_sauce(steps, title):
+    told = steps("steak", title, "beef tenderloin medallions:raw", "salt:granulated", "butter:unmelted",
+                 "mushrooms:sliced", "cream:liquid", "brandy:liquid")  # fmt: skip
+    seasoned = next(outputs for _, _, outputs in told if any(n.label == "salt" and n.container for n in outputs))
+    assert {node.container for node in seasoned if node.label == "salt"} == {"plate"}
+    poured = first(told, "cream", "pour")
+    assert not any("beef tenderloin medallions" in node.ingredients for node in told[poured][2])
+    assert {node.container for node in told[-1][2] if node.label == "steak"} <= {"plate"}
