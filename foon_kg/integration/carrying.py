@@ -190,7 +190,7 @@ class Carrier:
     def _is_portioned(self, stuffs: Sequence[Stuff], target: Vessel) -> bool:
         """Whether batter comes onto a tray, or a filling onto what it fills: it is set on it spoon by spoon."""
         row = self.known.utensil(target.label)
-        if is_flat(target.label) and target.contents and stuffs[-1].label in word_list("is spooned onto what it fills"):
+        if stuffs[-1].label in word_list("is spooned onto what it fills") and self._is_filled(target):
             return True
         raw = not any(self.known.state(state).needs_heat for stuff in stuffs for state in stuff.states)
         flour = any(binds(stuff.foods, self.known) for stuff in stuffs)
@@ -204,6 +204,12 @@ class Carrier:
             and "bake" in row.can
             and is_flat(target.label)
         )
+
+    def _is_filled(self, target: Vessel) -> bool:
+        """Whether what lies in or on a vessel is filled: all that lies flat, and what is hollow."""
+        foods = (self.known.foods.food(stuff.label) for stuff in target.contents)
+        hollow = any(food.is_a(*word_list("is filled with a spoon")) for food in foods)
+        return bool(target.contents) and (hollow or is_flat(target.label))
 
     def add_fat(self, vessel: Vessel, plan: Plan) -> bool:
         """Bring some of the fat that was asked for into a pan; return whether there is any."""

@@ -104,17 +104,31 @@ class Ready:
 
 
 def wants_of(
-    ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators, title: str = ""
+    ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators, title: str = "", dish_type: str = ""
 ) -> tuple[Want, ...]:
-    """Return the distinct required foods in their order, each with its state as it is understood."""
+    """Return the distinct required foods in their order, each with its state as it is understood.
+
+    ``title`` and ``dish_type`` say what nobody says of a food: of a whole lemon a cake wants the juice.
+    """
+    pressed = dish_type in word_list("is made with juice") and word_list("is made with slices").isdisjoint(words(title))
     distinct: dict[RequiredIngredient, tuple[int, ...]] = {}
     for place, one in enumerate(one for one in ingredients if one.object):
         distinct[one] = (*distinct.get(one, ()), place)
     found = []
     for number, (one, places) in enumerate(distinct.items(), start=1):
         want = replace(_in_turn(number, one, known, operators), part=one.part, places=places)
-        found.append(_as_entitled(_cut_by_name(want, known), title, known, operators))
+        want = _as_entitled(_cut_by_name(want, known), title, known, operators)
+        found.append(_as_pressed(want, known, operators) if pressed else want)
     return tuple(found)
+
+
+def _as_pressed(want: Want, known: Tables, operators: Operators) -> Want:
+    """Return a whole food of which only the juice is used as one that is squeezed, unless it is for garnish."""
+    is_whole = not want.make and all(known.state(state).undivided for state in want.leaf)
+    pressed = (
+        want.facts.is_a(*word_list("is pressed for its juice")) and not want.part and bool(operators.giving.get(JUICE))
+    )
+    return replace(want, make=JUICE, squeezed=True) if pressed and is_whole else want
 
 
 def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:

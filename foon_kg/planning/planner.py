@@ -176,7 +176,7 @@ class _Question:
         title, asked = recipe.title or "", [one for one in self.recipe.ingredients if one.object]
         self.teaching = planner.teaching_for(_names_of(asked, self.known), recipe.dish_type)
         self.methods = self.teaching.methods
-        wants = wants_of(asked, self.known, self.methods.operators, title)
+        wants = wants_of(asked, self.known, self.methods.operators, title, self.recipe.dish_type)
         if not wants:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
         self.kitchen = planner.kitchen_for([want.label for want in wants])

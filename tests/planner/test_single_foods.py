@@ -159,3 +159,32 @@ def test_what_is_scooped_is_scooped_with_something(steps):
     told = steps("salad", "", "onion:whole", "garlic:minced", "feta:cubed", "almond:toasted", "olive oil:liquid")
     scooped = [inputs for inputs, motion, _ in told if motion in {"scoop", "scoop and pour"}]
     assert all({"spoon", "ladle", "spatula"} & inputs for inputs in scooped)
+
+
+def test_a_whole_lemon_is_squeezed_for_a_cake_and_not_for_a_sangria(steps):
+    cake = steps(
+        "cake", "Lemon Cake", "flour:powder", "sugar:granulated", "butter:unmelted", "egg:uncooked", "lemon:whole"
+    )
+    assert "squeeze" in motions_of(cake, "lemon")
+    sangria = steps("drinks", "Sangria", "red wine:liquid", "lemon:whole", "orange:whole", "sugar:granulated")
+    assert "squeeze" not in motions_of(sangria, "lemon")
+
+
+def test_a_crust_of_cauliflower_is_baked_before_the_rest_lies_on_it(steps):
+    told = steps(
+        "pizza", "Cauliflower Crust Pizza", "cauliflower:whole", "egg:uncooked", "parmesan:grated", "pizza sauce:sauce",
+        "mozzarella:shredded",
+    )  # fmt: skip
+    motions = [motion for _, motion, _ in told]
+    assert motions.count("bake") == 2
+    assert "grate" in motions_of(told, "cauliflower")
+    sauce = motions_of(told, "pizza sauce")
+    assert sauce == ["pour", "bake"]
+
+
+def test_shells_of_pasta_are_filled_with_a_spoon(steps):
+    told = steps(
+        "pasta", "Stuffed Shells", "pasta shell:uncooked", "ricotta:creamy", "egg:uncooked", "tomato sauce:sauce"
+    )
+    (filled,) = [inputs for inputs, motion, _ in told if "filling" in inputs and motion.startswith("scoop")]
+    assert {"spoon", "baking dish"} <= filled
