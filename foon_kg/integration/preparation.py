@@ -219,9 +219,19 @@ def as_there(want: Want, ready_in: Callable[[str, str], str | None]) -> Want:
 def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
     """Return a required food with its state as it is understood: sold so, made so, or a crude word for something."""
     if one.state not in word_list("asks for what is grated off"):
-        return _as_asked(number, one, known, operators)
+        return _in_a_package(_as_asked(number, one, known, operators))
     (state,) = word_list("is grated off the whole")
     return replace(_as_asked(number, replace(one, state=state), known, operators), asked=one.state, read_as=state)
+
+
+def _in_a_package(want: Want) -> Want:
+    """Return a food that is sold free, but not in the state in which the kitchen has it: nobody keeps crumbs so."""
+    if want.storage:
+        return want
+    for storage in ("bag", "container", "packet"):
+        if not word_list(f"comes in a {storage}").isdisjoint(want.leaf):
+            return replace(want, storage=storage)
+    return want
 
 
 def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:

@@ -217,3 +217,16 @@ def test_what_would_run_or_burn_beside_eggs_in_the_pan_is_beaten_into_them(steps
 def test_water_for_a_frittata_is_beaten_into_its_eggs(steps):
     told = steps("omelette", "", "egg:whole raw", "water:juice", "ham:processed meat")
     assert first(told, "water", "beat") < first(told, "ham", "cook")
+
+
+def test_noodles_with_eggs_milk_and_sugar_are_baked_in_their_custard(steps):
+    told = steps(
+        "noodle", "", "noodles:uncooked", "eggs:uncooked", "milk:liquid", "sugar:granulated", "cream cheese:creamy"
+    )
+    assert first(told, "noodles", "boil") < first(told, "eggs", "whisk") < motions(told).index("bake")
+
+
+def test_what_is_sold_free_comes_in_a_package_where_it_is_loose(steps):
+    told = steps("soup", "", "mushrooms:crumbs", "stock:liquid", "spinach:creamy")
+    assert any({"mushrooms", "packet"} <= inputs for inputs, _, _ in told)
+    assert any({"spinach", "container"} <= inputs for inputs, _, _ in told)
