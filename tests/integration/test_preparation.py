@@ -68,7 +68,7 @@ PREPARED = [
     ("milk", "juice", "", "liquid"),
     ("salt", "ground", "", "granulated"),
     ("sugar", "ground", "", "granulated"),
-    ("flour", "ground", "", "powder"),
+    ("cocoa", "ground", "", "powder"),
     ("black pepper", "ground", "", ""),
 ]
 
