@@ -249,6 +249,7 @@ class Preparer(Cutter):
     def shelled(self, ready: Ready, form: Sequence[str] = ()) -> None:
         """Take the shell off a food that was cooked in it, and cut it as it is asked."""
         ways = [way for way in self.operators.ways.get("shell", ()) if "peel" in self.known.motion(way[0]).does]
+        ways = list(self._with_a_fit_tool("shell", ways, ready.want))
         attested = self.bench.require(ways, ready.want.names, act=True)
         kept = {s for s in ready.stuff.states if not self.known.state(s).undivided} - {"washed"}
         self.bench.act(ready.stuff, attested, tuple(sorted({*kept, self._gives(attested.way, ("peel",))})))

@@ -337,3 +337,7 @@ def test_a_dish_before_the_name_of_the_type_asks_for_nothing():
     assert needs["Meatball Soup", "meatball"]
     assert not [dish for dish in tables().dishes_named("Wacky Cake (No Eggs, No Milk)") if dish.name == "egg"]
     assert [dish.needs for dish in tables().dishes_named("Faux Apple Pie") if dish.name == "apple pie"] == [()]
+
+
+def test_a_cocktail_of_shrimps_is_no_drink():
+    assert [dish.name for dish in tables().dishes_named("seafood", "Shrimp Cocktail")] == ["seafood", "shrimp cocktail"]
