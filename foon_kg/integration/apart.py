@@ -41,17 +41,37 @@ def apart(
     ``dishes`` are those that it is called; ``recorded`` is what the videos of its type make, each with its foods;
     ``baked``: it comes out of an oven.
     """
-    for foods in dict.fromkeys((tuple(_in_parts(wants, known)), tuple(wants))):
-        technique = technique_for(recipe.dish_type, words(recipe.title or ""), foods, recorded)
-        kept = _foam(foods, technique)
-        rest = [want for want in foods if want not in kept]
-        own, sides = sides_of(rest, dishes, recipe.dish_type, recipe.title or "", baked=baked)
-        own = (*own, *kept)
-        technique = technique_for(recipe.dish_type, words(recipe.title or ""), own, recorded)
-        found = Apart(foods, own, sides, technique)
-        if _has_foam(found):
-            break
-    return found
+    foods = tuple(_in_parts(wants, known))
+    found = _parted(foods, recipe, dishes, recorded, baked=baked)
+    if foods == tuple(wants) or _has_foam(found):
+        return found
+    return _parted(tuple(wants), recipe, dishes, recorded, baked=baked)
+
+
+def _parted(
+    foods: tuple[Want, ...],
+    recipe: Recipe,
+    dishes: Sequence[Dish],
+    recorded: Sequence[tuple[str, Collection[str]]],
+    *,
+    baked: bool,
+) -> Apart:
+    """Return what components take of foods, and what is left for which technique."""
+    told = words(recipe.title or "")
+    technique = technique_for(recipe.dish_type, told, foods, recorded)
+    kept = _foam(foods, technique)
+    rest = [want for want in foods if want not in kept]
+    own, sides = sides_of(rest, dishes, recipe.dish_type, recipe.title or "", baked=baked)
+    own = (*own, *kept)
+    left = technique_for(recipe.dish_type, told, own, recorded)
+    if technique is not None and technique.called and left is None and _is_named(sides):
+        return Apart(foods, foods, (), technique)  # it says itself what is put on what
+    return Apart(foods, own, sides, left)
+
+
+def _is_named(sides: Sequence[Side]) -> bool:
+    """Whether a recipe says itself of any food for which part it is."""
+    return any(want.part for side in sides for want in side.wants)
 
 
 def _foam(foods: Sequence[Want], technique: Technique | None) -> tuple[Want, ...]:

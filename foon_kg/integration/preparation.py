@@ -246,7 +246,7 @@ def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Op
     row = known.state(one.state)
     sold_so = row.sold or bool(row.sold_for and facts.is_a(*row.sold_for))
     if sold_so or not (row.earns or row.fine or row.half):
-        if one.state in word_list("only what was cooked is so") and {"cook", "boil"} & facts.owes.keys():
+        if one.state in word_list("only what was cooked is so") and {"cook", "boil"} & owed(want, known):
             return replace(want, cooked=True)
         warm = one.state in word_list("is only made warm") and facts.is_a(*word_list("is warmed alone"))
         had_so = replace(want, make=one.state) if warm else replace(want, leaf=(one.state,))

@@ -163,7 +163,8 @@ class _Placed:
             found = [join for join in joins if means(foods, join.want, self.around)]
             if foods.again:
                 found = [join for join in found if taken.get(join.want.number) != name]
-                said = [join for join in found if self._is_for_another(join, told)]
+                beside = {one.want.part for one, _, at in once.values() if at in lines[name]} - {"", *told}
+                said = [join for join in found if join.want.part in beside]
                 once |= {join.want.number: (join, replace(foods, again=False), part) for join in said}
                 found = [join for join in found if not join.want.part]
                 more += self._again(found, foods, part, once) if not said else ()
@@ -182,10 +183,6 @@ class _Placed:
         number, told = join.want.number, join.want.part
         _, _, part = min(placed, key=lambda one: (one[0].want.part != told, abs(one[0].want.number - number)))
         return join, Foods(("*",)), part
-
-    def _is_for_another(self, join: Join, told: Collection[str]) -> bool:
-        """Whether a recipe says of a food that it is for a part of the dish which no line is called after."""
-        return bool(join.want.part) and join.want.part not in {_MAIN, *told}
 
     def _again(
         self, found: Sequence[Join], foods: Foods, part: Part, once: dict[int, tuple[Join, Foods, Part]]

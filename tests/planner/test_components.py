@@ -191,3 +191,33 @@ def test_sugar_is_strewn_on_a_pie_that_has_sugar_in_it(steps):
     )  # fmt: skip
     (last,) = [outputs for inputs, _, outputs in told if {"sugar", "pie"} <= inputs or {"sugar", "apple pie"} <= inputs]
     assert "sugar" in {node.label for node in last}
+
+
+def test_what_stands_under_the_heading_of_a_sauce_for_burgers_is_stirred_to_one(steps):
+    sauce = ("mayonnaise:creamy:sauce", "ketchup:sauce:sauce", "yellow mustard:creamy:sauce")
+    told = steps("burger", "Smash Burgers", *sauce, "ground beef:raw", "salt:granulated", "potato bun:halved")
+    assert inside(told, "stir") == {"mayonnaise", "ketchup", "yellow mustard"}
+
+
+def test_sugar_that_a_recipe_names_for_the_drizzle_is_not_in_the_batter(steps):
+    batter = ("butter:softened", "sugar:granulated", "egg:uncooked", "self-raising flour:powder")
+    told = steps("cake", "Lemon Drizzle Cake", *batter, "sugar:granulated:drizzle", "lemon:juiced:drizzle")
+    assert inside(told, "cook and stir") == {"sugar", "lemon"}
+    before = told[: motions(told).index("whisk")]
+    assert sum("sugar" in inputs and motion == "pour" for inputs, motion, _ in before) == 1
+
+
+def test_the_filling_of_cookies_is_mixed_and_spread_when_they_are_cold(steps):
+    filling = ("butter:softened:filling", "marshmallow fluff:whipped:filling", "powdered sugar:powder:filling")
+    told = steps("cookie", "Oatmeal Cookies", *COOKIES, "oats:rolled", *filling)
+    assert {"marshmallow fluff", "powdered sugar"}.isdisjoint(inside(told, "bake"))
+    assert first(told, "mixture", "spread") > motions(told).index("cool down")
+
+
+def test_a_technique_keeps_what_a_recipe_calls_its_topping(steps):
+    crust = ("butter:softened:crust", "sugar:granulated:crust", "egg:uncooked:crust", "flour:powder:crust")
+    topping = ("cream cheese:softened:topping", "sugar:granulated:topping", "kiwi:sliced:topping")
+    told = steps("pizza", "Fruit Pizza", *crust, *topping)
+    assert first(told, "mixture", "bake") < motions(told).index("cool down") < first(told, "kiwi", "pour")
+    mixed = [set(outputs[0].ingredients) for _, motion, outputs in told if motion == "mix"]
+    assert {"cream cheese", "sugar"} in mixed

@@ -263,3 +263,12 @@ def test_a_loaf_that_is_filled_with_a_salad_stays_bread(steps):
     told = steps("sandwich", "Chicken Salad Croissants", "cooked chicken:chopped", "mayonnaise:creamy",
                  "pecans:chopped", "croissants:whole")  # fmt: skip
     assert not any("croissants" in inputs for inputs, motion, _ in told if motion in {"mix", "stir"})
+
+
+def test_what_is_eaten_raw_by_nobody_and_asked_chilled_is_not_cooked_for_that(steps):
+    told = steps(
+        "vegetables", "Vegetable Tempura", "cake flour:chilled", "egg yolk:uncooked", "sparkling water:cold",
+        "zucchini:sliced", "vegetable oil:liquid",
+    )  # fmt: skip
+    heated = [inputs for inputs, motion, _ in told if motion in {"cook", "heat", "boil"}]
+    assert not [inputs for inputs in heated if "cake flour" in inputs]
