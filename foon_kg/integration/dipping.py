@@ -7,7 +7,7 @@ from typing import TypeVar
 
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, Thing, Vessel, foods_of, is_flat
+from foon_kg.integration.bench import Bench, Stuff, Thing, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import COATS
 from foon_kg.integration.frames import Stage
@@ -16,7 +16,7 @@ from foon_kg.integration.spots import Join
 from foon_kg.integration.working import Worker
 
 _COATS = word_list("coats dry") | word_list("coats wet") | word_list("clings to what is coated")
-_MIXED = "mixed"
+_MIXED, _MIXTURE = "mixed", "mixture"
 
 _Thing = TypeVar("_Thing", Join, Vessel)
 
@@ -69,12 +69,24 @@ class Dipping:
             self.carry.transfer(line, bowl, stage)
         for join in joins:
             self.carry.bring(self.ready[join.want.number], bowl, join.slot)
-        if len(bowl.contents) > 1:
+        if len(bowl.contents) > 1 or any(map(self._is_unbeaten, bowl.contents)):
             foods = foods_of(bowl)
-            floury = any(self.known.foods.food(food).is_a("flour") for food in foods)
-            label = min(word_list("is called so when it is fine")) if floury else "mixture"
-            self.bench.work(bowl, self.work.stirring(foods), label, (_MIXED,), with_device=False)
+            self.bench.work(bowl, self.work.stirring(foods), self._called(foods), (_MIXED,), with_device=False)
         return bowl
+
+    def _called(self, foods: Sequence[str]) -> str:
+        """Return what a coat of these foods is called, by the one that is more than seasoning."""
+        facts = [self.known.foods.food(food) for food in foods]
+        if any(one.is_a("flour") for one in facts):
+            return min(word_list("is called so when it is fine"))
+        if all(one.is_a(*word_list("runs out of its shell"), *word_list("only flavours")) for one in facts):
+            return min(word_list("is called so when it is beaten"))
+        return _MIXTURE
+
+    def _is_unbeaten(self, stuff: Stuff) -> bool:
+        """Whether it ran out of its shell, and nobody stirred it."""
+        opened = self.known.foods.food(stuff.label).is_a(*word_list("runs out of its shell"))
+        return opened and not stuff.mixed and word_list("is stirred already").isdisjoint(stuff.states)
 
     def _laid_out(self, stage: Stage, vessels: Sequence[Vessel], dipped: Sequence[Join]) -> Vessel:
         """Return a plate or board with all that is dipped: that on which it lies already, if it lies on one."""

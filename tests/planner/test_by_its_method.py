@@ -110,3 +110,12 @@ def test_flesh_is_seasoned_before_the_pan_and_taken_out_before_its_sauce(steps, 
     poured = first(told, "cream", "pour")
     assert not any("beef tenderloin medallions" in node.ingredients for node in told[poured][2])
     assert {node.container for node in told[-1][2] if node.label == "steak"} <= {"plate"}
+
+
+def test_an_egg_is_beaten_before_flesh_is_dipped_into_it(steps):
+    told = steps(
+        "chicken", "Breaded Chicken", "chicken breasts:raw", "egg:uncooked", "breadcrumbs:crumbs", "oil:liquid"
+    )
+    (wet, dry) = dips(told)
+    assert {"egg mixture"} <= wet[0]
+    assert {"breadcrumbs"} <= dry[0]
