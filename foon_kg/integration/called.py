@@ -152,7 +152,7 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
     elif any(dish.coated for dish in dishes) and not dressed:
         made, found = as_a_way_says(line, joins, (), called.words, known, when="dipped")
         if made is line:
-            made, found = coated_alone(line, joins, known)
+            made, found = coated_alone(line, joins, known, baked=called.baked)
         if made is line:
             made, found = as_a_way_says(line, joins, (), called.words, known, when="flesh", baked=called.baked)
         line, joins = made, found

@@ -29,10 +29,13 @@ _POST = ("mix", "later", True)
 _BESIDE = word_list("is served with what is fried")
 
 
-def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+def coated_alone(
+    line: Line, joins: Sequence[Join], known: Tables, *, baked: bool = False
+) -> tuple[Line, tuple[Join, ...]]:
     """Return how coated flesh is made that is the dish: coated, fried, and baked under what melts on it.
 
-    Nothing changes where there is no such flesh, or where something else has to be cooked too.
+    ``baked``: it is fried in the oven, as people say. Nothing changes where there is no such flesh, or where something
+    else has to be cooked too.
     """
     rough = _any_is(joins, *_ROUGH)
     kinds = _COATED | word_list("is coated where it is rough") if rough else _COATED
@@ -48,8 +51,23 @@ def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line
         baked = replace(BAKE)
         below = sorted(joins, key=lambda join: join.want.facts.is_a(*word_list("melts on top")))
         return coated_apart(Line((baked,)), [_at(join, baked) for join in below], kinds)
+    if baked and not wet:
+        return _on_a_tray(joins, kinds)
     sauce = replace(SIMMER if wet else COOK if whole else STIR)  # a fried piece that is stirred falls to pieces
     return _in_a_sauce(sauce, joins, kinds)
+
+
+def _on_a_tray(joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how flesh is coated and baked; what lies on flesh comes on top."""
+    hot, top = replace(BAKE, vessel="baking tray", relation="on"), replace(TOP)
+    made, found = coated_apart(Line((hot,)), [_at(join, hot) for join in joins], kinds, heats=False)
+    over = word_list("lies on flesh") | _BESIDE
+    last = made.stages[-1]
+    found = tuple(
+        replace(_at(join, top), on_top=True) if join.spot.stage is last and join.want.facts.is_a(*over) else join
+        for join in found
+    )
+    return Line((*made.stages, top)), found
 
 
 def _in_a_sauce(sauce: Stage, joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
@@ -100,8 +118,13 @@ def _at(join: Join, stage: Stage) -> Join:
     return replace(join, spot=replace(join.spot, stage=stage, after=(), side=False), slot=None)
 
 
-def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _COATED) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line and its joins such that raw flesh is coated and fried by itself, where something coats it."""
+def coated_apart(
+    line: Line, joins: Sequence[Join], kinds: Collection[str] = _COATED, *, heats: bool = True
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line and its joins such that raw flesh is coated by itself, where something coats it.
+
+    ``heats``: it is fried then, before it joins.
+    """
     flesh = _raw_flesh(joins, kinds)
     dry = [join for join in joins if join.want.facts.is_a(*_DRY)]
     shaped = _any_is(flesh, *word_list("patties are made of")) and _is_shaped(line)
@@ -116,13 +139,14 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     dusted = replace(_BATH)
     bathed = replace(_BATH, adds=(wash,))
     rolled = replace(_BATH, adds=(powder,))
-    fried, turned, done = replace(COOK), replace(TURN), replace(COOK)
+    fries = (replace(COOK), replace(TURN), replace(COOK)) if heats else ()
     last = line.stages[-1]
     first = (dusted, bathed) if dust else (bathed,)
-    served = replace(last, adds=(*last.adds, Line((*first, rolled, fried, turned, done))))
+    served = replace(last, adds=(*last.adds, Line((*first, rolled, *fries))))
     rest = [join for join in (*dry, *_what_seasons(joins)) if join not in dust]
-    places = [(wet, wash.stages[0]), (rest, powder.stages[0]), ([*flesh, *dust], first[0]), (_frying_fat(joins), fried)]
-    after = (fried, turned, done, served)
+    places = [(wet, wash.stages[0]), (rest, powder.stages[0]), ([*flesh, *dust], first[0])]
+    places += [(_frying_fat(joins), fries[0])] if fries else []
+    after = (*fries, served)
     found = []
     for join in joins:
         stage = next((stage for some, stage in places if any(one is join for one in some)), None)

@@ -80,8 +80,10 @@ class Stages:
         return mine is not None and bool(following.does & mine) and not stage.does & {"dry", "shape", "knead", "blend"}
 
     def heats_on(self, stage: Stage, later: Sequence[Stage], vessel: Vessel) -> bool:
-        """Whether a vessel stays over the heat: the next heating is on the same appliance."""
-        if vessel.device is None or stage.vessel not in {vessel.label, ""} or "cut" in stage.does:
+        """Whether a vessel stays over the heat: the next heating is on the same appliance, and nobody reaches into it."""
+        if vessel.device is None or vessel.relation == "in":
+            return False
+        if stage.vessel not in {vessel.label, ""} or "cut" in stage.does:
             return False
         for one in later:
             if one.source == "heat" and not one.does.isdisjoint(HEATS):

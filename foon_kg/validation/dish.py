@@ -248,7 +248,7 @@ def _left_out(case: Case, part: Part, last: int) -> bool:
         not baked_on
         and not ((hot or drunk) and part.food.is_a(*crowns))
         and not part.food.is_a(
-            "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready", "dough"
+            "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready", "dough", "starch"
         )
     )
 

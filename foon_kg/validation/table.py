@@ -53,8 +53,10 @@ def _never_hot(case: Case) -> Iterator[Finding]:
     ours = [part for part in case.parts if not part.remains and not part.untold]
     flours = [part for part in ours if any(map(part.food.is_of, word_list("is raw flour")))]
     leavens = [part for part in ours if flours and part.food.is_a("leaven")]
-    for part in dict.fromkeys((*flours, *leavens)):
-        if part.heated is None and not part.food.is_a(*word_list("is flour eaten raw")):
+    dusts = any(part.food.is_a(*word_list("is dusted with starch")) for part in ours)
+    for part in [*flours, *(part for part in leavens if part not in flours)]:
+        dust = part.food.is_a("starch") and dusts
+        if part.heated is None and not dust and not part.food.is_a(*word_list("is flour eaten raw")):
             yield Finding("K1", f"{part.name} is in the dish, and nothing heated it", part.joined)
 
 

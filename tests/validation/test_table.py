@@ -149,11 +149,19 @@ def test_k1_a_titled_pudding_holds_no_raw_egg_unless_it_is_called_so(egg):
 
 
 def test_k1_flour_is_heated_and_what_makes_it_rise():
-    for food in ("flour", "cornmeal", "semolina"):
+    for food in ("flour", "cornmeal", "semolina", "cornstarch"):
         assert found("K1", on_plate(food, "powder")) == [f"K1: {food} is in the dish, and nothing heated it"]
         assert found("K1", boiled(food, "powder")) == []
-    for food in ("almond flour", "cornstarch", "baking powder"):
+    for food in ("almond flour", "baking powder"):
         assert found("K1", on_plate(food, "powder")) == []
+
+
+def test_k1_starch_is_dusted_with_fine_sugar_over_what_is_sticky():
+    step = (
+        "cornstarch (powder) + powdered sugar (powder) + plate (empty) → SPRINKLE"
+        " → cornstarch (powder; on plate) + powdered sugar (powder; on plate) + plate ({cornstarch, powdered sugar})"
+    )
+    assert found("K1", step) == []
 
 
 def test_k1_what_makes_a_dough_rise_comes_before_the_heat():

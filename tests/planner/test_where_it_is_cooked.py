@@ -1,0 +1,84 @@
+"""Where a dish is cooked, and where it is not: in the oven as its title says, and never while it lies in there."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, inside, motions
+
+pytestmark = pytest.mark.shared_data
+
+PAN = {"cook", "cook and stir", "flip", "simmer"}
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "asked"),
+    [
+        ("chicken", "Oven-Fried Drumsticks", ("chicken drumsticks:raw", "flour:powder", "paprika:ground",
+                                              "butter:stick")),
+        ("seafood", "Oven Fried Fish", ("cod fillets:raw", "flour:powder", "eggs:whole", "panko:crumbs")),
+        ("meatball", "Baked Italian Meatballs", ("ground beef:raw", "eggs:whole", "breadcrumbs:crumbs",
+                                                 "Parmesan:grated", "milk:liquid", "parsley:chopped")),
+    ],
+)  # fmt: skip
+def test_what_is_baked_by_its_title_sees_no_pan(steps, dish_type, title, asked):
+    told = steps(dish_type, title, *asked)
+    assert PAN.isdisjoint(motions(told))
+    assert {one.partition(":")[0] for one in asked} - {"panko", "butter", "eggs", "flour", "paprika"} <= inside(
+        told, "bake"
+    )
+
+
+def test_flesh_that_is_not_called_so_is_still_fried(steps):
+    told = steps("chicken", "Chicken Schnitzel", "chicken cutlets:raw", "flour:powder", "eggs:whole",
+                 "breadcrumbs:crumbs", "oil:liquid")  # fmt: skip
+    assert "flip" in motions(told)
+    assert "bake" not in motions(told)
+
+
+def test_nothing_is_laid_on_what_is_in_the_oven(steps):
+    told = steps("pizza", "Cauliflower Crust Pizza", "cauliflower:whole", "egg:whole", "mozzarella:shredded",
+                 "tomato sauce:sauce", "basil:leaf")  # fmt: skip
+    done = motions(told)
+    assert done.count("bake") == 2
+    assert done.index("bake") < done.index("remove") < first(told, "tomato sauce", "pour")
+    assert {"cauliflower", "egg"} == inside(told, "bake")
+
+
+def test_flour_that_is_asked_cold_is_not_fried_before(steps):
+    told = steps("vegetables", "Vegetable Tempura", "cake flour:chilled", "egg yolk:raw", "sparkling water:cold",
+                 "zucchini:sliced", "vegetable oil:liquid")  # fmt: skip
+    assert first(told, "cake flour", "pour") < motions(told).index("whisk") < motions(told).index("cook")
+
+
+def test_layers_of_a_technique_are_not_stirred_at_last(steps):
+    told = steps("pudding", "Dirt Pudding", "oreos:whole", "cream cheese:block", "instant pudding:powder",
+                 "milk:liquid", "whipped topping:whipped")  # fmt: skip
+    last = [motion for inputs, motion, _ in told if "oreos" in inputs]
+    assert not {"stir", "mix"} & set(last)
+    assert motions(told)[-2:] == ["chill", "remove"]
+
+
+def test_starch_and_cream_for_a_topping_are_cooked(steps):
+    told = steps("rice", "Mango Sticky Rice", "glutinous rice:uncooked", "coconut milk:liquid", "sugar:granulated",
+                 "mangoes:sliced", "coconut cream:liquid:topping", "cornstarch:powder:topping")  # fmt: skip
+    hot = [{food for node in outputs for food in node.ingredients} for _, motion, outputs in told if motion in PAN]
+    assert any({"cornstarch", "coconut cream"} <= foods for foods in hot)
+
+
+def test_egg_and_milk_for_a_topping_set_on_it_in_the_oven(steps):
+    told = steps("meatloaf", "Bobotie", "ground beef:raw", "onions:chopped", "white bread:loaf", "curry powder:powder",
+                 "eggs:whole:topping", "milk:liquid:topping")  # fmt: skip
+    assert {"eggs", "milk"} <= inside(told, "bake")
+    assert "boil" not in motions(told)
+
+
+def test_dough_of_flour_and_water_is_rolled_out_for_any_noodle(steps):
+    done = motions(steps("noodle", "Udon from Scratch", "flour:powder", "salt:granulated", "water:liquid"))
+    assert done.index("knead") < done.index("roll") < done.index("cut") < len(done) - 1 - done[::-1].index("boil")
+
+
+def test_dates_are_softened_in_boiling_water_before_a_batter(steps):
+    told = steps("pudding", "Date Pudding", "dates:chopped", "water:boiling", "baking soda:powder", "sugar:granulated",
+                 "egg:whole", "flour:powder")  # fmt: skip
+    assert {"dates", "baking soda"} <= inside(told, "stir")
+    assert "egg" not in inside(told, "stir")
