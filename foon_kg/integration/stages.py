@@ -80,7 +80,7 @@ class Stages:
         return mine is not None and bool(following.does & mine) and not stage.does & {"dry", "shape", "knead", "blend"}
 
     def heats_on(self, stage: Stage, later: Sequence[Stage], vessel: Vessel) -> bool:
-        """Whether a vessel stays over the heat: the next heating is on the same appliance, and nobody reaches into it."""
+        """Whether a vessel stays over the heat: it is heated next on the same appliance, and stands on that."""
         if vessel.device is None or vessel.relation == "in":
             return False
         if stage.vessel not in {vessel.label, ""} or "cut" in stage.does:

@@ -82,3 +82,25 @@ def test_dates_are_softened_in_boiling_water_before_a_batter(steps):
                  "egg:whole", "flour:powder")  # fmt: skip
     assert {"dates", "baking soda"} <= inside(told, "stir")
     assert "egg" not in inside(told, "stir")
+
+
+def test_bought_dough_lies_there_before_its_filling(steps):
+    told = steps("pizza", "Stromboli", "bread dough:raw", "salami:sliced", "mozzarella:shredded", "egg:whole")
+    assert first(told, "bread dough", "pick-and-place") < first(told, "filling", "scoop and pour")
+    assert {"egg"} == inside(told, "beat")
+    assert motions(told).index("brush") < motions(told).index("bake")
+
+
+def test_what_is_rolled_up_is_not_strewn_with_its_filling(steps):
+    told = steps("bread", "Cinnamon Rolls", "flour:powder", "yeast:powder", "milk:warm", "butter:unmelted",
+                 "sugar:granulated", "brown sugar:granulated", "cinnamon:ground", "butter:softened",
+                 "powdered sugar:powder", "cream cheese:block")  # fmt: skip
+    assert first(told, "cinnamon", "sprinkle") < max(place for place, one in enumerate(motions(told)) if one == "roll")
+
+
+def test_beaten_whites_are_folded_into_a_pudding_that_is_baked(steps):
+    told = steps("pudding", "Lemon Delicious Pudding", "eggs:separated", "sugar:granulated", "flour:powder",
+                 "milk:liquid", "lemons:whole")  # fmt: skip
+    done = motions(told)
+    assert done.index("fold") < done.index("bake")
+    assert first(told, "lemons", "squeeze") < done.index("fold")
