@@ -48,9 +48,9 @@ def coated_alone(
     if not (rough or dusted):
         return line, tuple(joins)
     if _any_is(joins, *word_list("melts on top")):
-        baked = replace(BAKE)
+        under = replace(BAKE)
         below = sorted(joins, key=lambda join: join.want.facts.is_a(*word_list("melts on top")))
-        return coated_apart(Line((baked,)), [_at(join, baked) for join in below], kinds)
+        return coated_apart(Line((under,)), [_at(join, under) for join in below], kinds)
     if baked and not wet:
         return _on_a_tray(joins, kinds)
     sauce = replace(SIMMER if wet else COOK if whole else STIR)  # a fried piece that is stirred falls to pieces

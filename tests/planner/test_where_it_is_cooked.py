@@ -104,3 +104,28 @@ def test_beaten_whites_are_folded_into_a_pudding_that_is_baked(steps):
     done = motions(told)
     assert done.index("fold") < done.index("bake")
     assert first(told, "lemons", "squeeze") < done.index("fold")
+
+
+@pytest.mark.parametrize(
+    ("title", "asked"),
+    [
+        (
+            "Roast Chicken with Lemon",
+            ("chicken:whole", "butter:softened", "lemon:whole", "garlic:clove", "salt:granulated"),
+        ),
+        ("Herb Roasted Turkey", ("turkey:raw", "butter:softened", "sage:sprig", "onion:whole")),
+        ("Sunday Leg of Lamb", ("leg of lamb:raw", "garlic:minced", "rosemary:chopped", "olive oil:liquid")),
+    ],
+)
+def test_a_bird_or_joint_is_roasted_in_one_piece(steps, title, asked):
+    told = steps("roast", title, *asked)
+    main = asked[0].partition(":")[0]
+    assert PAN.isdisjoint(motions(told))
+    assert {one.partition(":")[0] for one in asked} <= inside(told, "bake")
+    assert not any(main in inputs for inputs, motion, _ in told if motion in {"cut", "chop", "mix", "stir"})
+
+
+def test_a_pot_roast_is_simmered(steps):
+    told = steps("roast", "Pot Roast", "chuck roast:raw", "carrots:whole", "potatoes:whole", "beef broth:liquid")
+    assert "simmer" in motions(told)
+    assert "bake" not in motions(told)
