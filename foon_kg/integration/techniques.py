@@ -250,8 +250,8 @@ class _Placed:
         parts = self.technique.lines[name]
         here = {id(part) for part in parts}
         found = [part for _, _, part in self.found if id(part) in here]
-        does = [works()[part.stage].does for part in parts]
-        mixes = all(one <= {"mix"} for one in does) and any(does) and not any(part.lines for part in parts)
+        does = frozenset().union(*(works()[part.stage].does for part in parts))
+        mixes = does == {"mix"} and not any(part.lines for part in parts)
         return found[0] if mixes and len(found) == 1 else None
 
     def _label(self, part: Part, usual: str) -> str:
