@@ -41,18 +41,24 @@ def _fill_spoon(out: Outcome) -> None:
 def _run_through(out: Outcome) -> None:
     """Let every liquid run out of a strainer: what was poured through it is gone, whatever its node says.
 
-    What was kneaded or shaped keeps the liquid that is worked into it.
+    What was kneaded or shaped keeps the liquid that is worked into it, and so does a batter of eggs that has set.
     """
     for vessel in dict.fromkeys((*out.happening.vessels, *out.vessel_of.values())):
         if "strain" not in vessel.row.can or vessel.row.role != "vessel":
             continue
         for lump in list(vessel.lumps):
-            if not word_list("keeps its shape").isdisjoint(lump.states):
+            if not word_list("keeps its shape").isdisjoint(lump.states) or _has_set(lump):
                 continue
             lump.parts = [part for part in lump.parts if not part.food.is_a("liquid", "water")]
             if not lump.parts:
                 out.supply.put(lump, None)
                 lump.gone = True
+
+
+def _has_set(lump: Lump) -> bool:
+    """Whether flour and eggs were mixed, and heated since."""
+    hot = [part.food for part in lump.parts if part.heated is not None]
+    return lump.mixed and all(any(food.is_a(trait) for food in hot) for trait in ("egg", "flour"))
 
 
 def _keep_back(out: Outcome) -> None:

@@ -129,3 +129,9 @@ def test_a_pot_roast_is_simmered(steps):
     told = steps("roast", "Pot Roast", "chuck roast:raw", "carrots:whole", "potatoes:whole", "beef broth:liquid")
     assert "simmer" in motions(told)
     assert "bake" not in motions(told)
+
+
+def test_a_batter_that_set_in_boiling_water_is_drained(steps):
+    told = steps("noodle", "Spaetzle", "flour:powder", "eggs:whole", "milk:liquid", "nutmeg:ground", "butter:unmelted")
+    drained = next(outputs for _, _, outputs in told if any(node.label == "strainer" for node in outputs))
+    assert {"flour", "eggs", "milk"} <= {food for node in drained for food in node.ingredients}
