@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from foon_kg.food import Tables
+from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 
 _SEVERAL = 2
@@ -18,11 +18,20 @@ def is_runny(label: str, states: Sequence[str], parts: Sequence[str], known: Tab
     if _is_set(states, parts, known):
         return False
     if len(parts) < _SEVERAL:
-        facts = known.foods.food(label, states)
-        return facts.is_a("liquid") and not facts.is_a("creamy")
+        return _runs_as_it_is(known.foods.food(label, states), states, known)
     foods = [known.foods.food(name) for name in parts]
     wet = any(food.is_a("liquid", "water") and not food.is_a("fat") for food in foods)
     return wet and all(food.is_a(*word_list("runs in a mixture")) for food in foods)
+
+
+def _runs_as_it_is(facts: Food, states: Sequence[str], known: Tables) -> bool:
+    """Whether a single food runs: by itself, by a state that it is in, or because it is out of its shell."""
+    opened = facts.is_a(*word_list("runs out of its shell")) and "shell" in facts.owes
+    cooked = any(known.state(state).needs_heat or "cook" in known.state(state).earns for state in states)
+    if opened and not cooked and not word_list("is open and raw").isdisjoint(states):
+        return True
+    runs = not word_list("runs").isdisjoint(states)
+    return runs or (facts.is_a("liquid") and not facts.is_a("creamy"))
 
 
 def _is_set(states: Sequence[str], parts: Sequence[str], known: Tables) -> bool:

@@ -30,6 +30,20 @@ def test_a_pudding_is_poured(steps):
     assert moved not in word_list("picks up")
 
 
+@pytest.mark.parametrize(
+    ("dish", "title", "rest"),
+    [
+        ("cake", "Apple Cake", ("flour:powder", "sugar:granulated", "margarine:softened", "apple:peeled")),
+        ("salad", "Caesar Salad", ("lettuce:whole leafy", "oil:liquid", "mustard:thick sauce", "bread:sliced")),
+        ("noodle", "Egg Noodles", ("noodle:dried", "oil:liquid", "onion:sliced", "soy sauce:sauce")),
+    ],
+)
+def test_egg_that_is_sold_without_its_shell_is_poured(steps, dish, title, rest):
+    told = steps(dish, title, "egg:thick liquid", *rest)
+    (taken,) = [motion for inputs, motion, _ in told if {"egg", "carton"} <= inputs]
+    assert "pour" in taken
+
+
 def test_what_is_toasted_is_toasted_dry(steps):
     told = steps(
         "sauce", "Romesco Sauce", "almond:toasted", "tomato:roasted", "garlic:minced", "olive oil:liquid",
