@@ -36,9 +36,9 @@ class Called:
     """What a dish is called: the ``dishes`` of that name, the words of its type and title, its recorded ``goal``.
 
     ``tin`` is what its batter or dough is baked in. ``baked``: the words say that it comes out of an oven; ``folded``
-    are those by which it may be folded over. ``warms``: this FOON shows how a drink is heated. ``technique``: how it is
-    made whatever its video does, ``sides`` are its components. ``asks`` is what its title asks to be done, with the
-    words that do.
+    are those by which it may be folded over. ``warms`` and ``blends``: this FOON shows how a drink is heated, and
+    blended. ``technique``: how it is made whatever its video does, ``sides`` are its components. ``asks`` is what its
+    title asks to be done, with the words that do.
     """
 
     dishes: Sequence[Dish]
@@ -50,6 +50,7 @@ class Called:
     baked: bool
     folded: Collection[str]
     warms: bool
+    blends: bool
     technique: Technique | None = None
     sides: Sequence[Side] = ()
     asks: Sequence[tuple[Named, str]] = ()
@@ -113,7 +114,8 @@ def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: 
 def _drunk(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
     if not is_heated(line) and called.warms:
         line, joins = as_a_way_says(line, joins, (), called.words, known, when="warmed")
-    line, joins = as_a_way_says(line, joins, (), called.words, known, when="blended")
+    if called.blends:
+        line, joins = as_a_way_says(line, joins, (), called.words, known, when="blended")
     return garnished(*stirred(line, joins), called.told)
 
 

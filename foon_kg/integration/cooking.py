@@ -184,7 +184,11 @@ class Cooking:
         for place, stage in enumerate(line.stages):
             later = (*line.stages[place + 1 :], *after)
             for add in stage.adds:
-                if isinstance(add, Line) and self.course.alive(add) and not self.stages.is_made_late(stage, add):
+                if (
+                    isinstance(add, Line)
+                    and self.course.alive(add)
+                    and not self.stages.is_made_late(stage, add, first=not place)
+                ):
                     made = self._run(add, after=(stage, *later))
                     if made is not None:
                         subs[id(add)] = made
@@ -214,7 +218,8 @@ class Cooking:
 
     def _boil_now(self, stage: Stage, vessel: Vessel | None, subs: dict[int, Vessel], later: Sequence[Stage]) -> None:
         """Make what waited until now, and boil what waited for its sauce; meanwhile that is off the heat."""
-        beside = [add for add in stage.adds if isinstance(add, Line) and self.stages.is_made_late(stage, add)]
+        beside = [add for add in stage.adds if isinstance(add, Line)]
+        beside = [add for add in beside if self.stages.is_made_late(stage, add, first=vessel is None)]
         lines = [line for line in beside if id(line) not in subs and self.course.alive(line)]
         here = itertools.takewhile(lambda one: one is stage or one.does.isdisjoint(HEATS), (stage, *later))
         there = here if stage.does.isdisjoint(HEATS) else [stage]

@@ -38,9 +38,14 @@ class Stages:
         after = not self.plan.stacked and self.course.follows_heat(stage)
         return self.waits_for_sauce(stage) or (after and (self.plan.one_pot or stage.does.isdisjoint(HEATS)))
 
-    def is_made_late(self, stage: Stage, line: Line) -> bool:
-        """Whether what joins a stage is made just before it: what waits for a sauce, and a foam, which falls."""
-        return (self.waits_for_sauce(stage) and self.is_drained(line)) or self._falls(line)
+    def is_made_late(self, stage: Stage, line: Line, *, first: bool) -> bool:
+        """Whether what joins a stage is made just before it: what waits for a sauce, and a foam, which falls.
+
+        So is what is cooked for itself and laid on the rest, unless the stage is the ``first`` of its line: the rest
+        is lifted out of its hot pan before.
+        """
+        laid = not first and not stage.motion and any(not one.does.isdisjoint(HEATS) for one in line.stages)
+        return laid or (self.waits_for_sauce(stage) and self.is_drained(line)) or self._falls(line)
 
     def _falls(self, line: Line) -> bool:
         """Whether a line beats to a foam what came apart when it was opened."""

@@ -28,6 +28,11 @@ def can_be_warmed(operators: Operators) -> bool:
     return (STIR.motion, STIR.tools) in operators.ways.get("heat", ())
 
 
+def can_be_blended(operators: Operators) -> bool:
+    """Whether any video blends something."""
+    return bool(operators.ways.get("blend"))
+
+
 def stirred(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     """Return a line that ends with stirring what is poured together in a glass, where nothing of it mixes them."""
     for stage in line.all_stages():

@@ -31,7 +31,7 @@ from foon_kg.integration.named import with_unheeded
 from foon_kg.integration.parts import parts_of
 from foon_kg.integration.places import Joiners, Matcher
 from foon_kg.integration.preparation import as_there, wants_of
-from foon_kg.integration.warmed import can_be_warmed
+from foon_kg.integration.warmed import can_be_blended, can_be_warmed
 from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.planning.attempt import Attempt
@@ -284,6 +284,7 @@ class _Question:
             baked=asked.baked,
             folded=asked.told if asked.title else fit.dish.words,
             warms=can_be_warmed(self.methods.operators),
+            blends=can_be_blended(self.methods.operators),
             technique=self.technique,
             asks=self.asks,
             sides=self.sides,

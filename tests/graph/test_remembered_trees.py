@@ -26,16 +26,16 @@ from foon_kg.store.snapshot import Snapshot
 pytestmark = pytest.mark.neo4j
 
 BANANA = (
-    "cutting board(empty); banana(whole); knife > slice > banana(sliced)@on cutting_board; cutting board{banana}",
+    "cutting board(empty); berry(whole); knife > slice > berry(sliced)@on cutting_board; cutting board{berry}",
     (
-        "glass(empty); cutting board{banana}; banana(sliced)@on cutting_board"
-        " > pour > glass{banana}; banana(sliced)@glass; cutting board(empty)"
+        "glass(empty); cutting board{berry}; berry(sliced)@on cutting_board"
+        " > pour > glass{berry}; berry(sliced)@glass; cutting board(empty)"
     ),
-    "glass{banana}; carton{milk}; milk(liquid)@carton > pour > glass{banana,milk}; milk(liquid)@glass",
+    "glass{berry}; carton{lemonade}; lemonade(liquid)@carton > pour > glass{berry,lemonade}; lemonade(liquid)@glass",
 )
 STIR = (
-    "glass{banana,milk}; banana(sliced)@glass; milk(liquid)@glass; spoon"
-    " > stir > glass{drink}; drink{banana,milk}@glass"
+    "glass{berry,lemonade}; berry(sliced)@glass; lemonade(liquid)@glass; spoon"
+    " > stir > glass{drink}; drink{berry,lemonade}@glass"
 )
 SHORT_WAY = "onion(whole); cutting board(empty); knife > slice > onion(chopped)@on cutting_board; cutting board{onion}"
 
@@ -47,7 +47,7 @@ short_way = subgraph("short way", "salad", SHORT_WAY)
 
 WANTS = {
     "salad": Recipe("salad", (RequiredIngredient("tomato", "diced"), RequiredIngredient("onion", "chopped"))),
-    "drink": Recipe("drinks", (RequiredIngredient("banana", "sliced"), RequiredIngredient("milk", "liquid"))),
+    "drink": Recipe("drinks", (RequiredIngredient("berry", "sliced"), RequiredIngredient("lemonade", "liquid"))),
 }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from planner.told_steps import first
 
 from foon_kg.food import tables
 
@@ -73,11 +74,20 @@ def test_what_fingers_tear_falls_into_a_bowl(steps):
 
 def test_a_stove_is_not_turned_off_only_to_add_something(steps):
     told = steps(
-        "chicken", "Chicken Marsala", "chicken breast:raw", "flour:powder", "mushroom:sliced", "chicken broth:liquid",
+        "chicken", "Chicken Fricassee", "chicken breast:raw", "flour:powder", "mushroom:sliced", "chicken broth:liquid",
         "butter:stick",
     )  # fmt: skip
     motions = [motion for inputs, motion, _ in told if "stove" in inputs]
     assert motions.count("turn on") == 1
+
+
+def test_flesh_is_lifted_out_of_its_pan_before_the_sauce_for_it_is_made(steps):
+    told = steps(
+        "chicken", "Chicken Marsala", "chicken breast:raw", "flour:powder", "mushroom:sliced", "chicken broth:liquid",
+        "butter:stick",
+    )  # fmt: skip
+    lifted = next(n for n, (inputs, motion, _) in enumerate(told) if motion == "pick-and-place" and "turner" in inputs)
+    assert first(told, "chicken breast", "flip") < lifted < first(told, "mushroom", "cook and stir")
 
 
 def test_what_nobody_mashes_is_not_mashed_because_a_video_did(steps):

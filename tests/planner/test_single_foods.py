@@ -22,12 +22,11 @@ def test_strawberries_are_hulled_unless_they_are_frozen(steps):
     assert "core" not in motions_of(frozen, "strawberry")
 
 
-def test_shrimps_come_out_of_their_shell_by_hand_unless_they_are_asked_deveined(steps):
-    told = steps("seafood", "Garlic Shrimp", "shrimp:raw", "butter:unmelted", "garlic:minced")
+@pytest.mark.parametrize("state", ["raw", "deveined"])
+def test_shrimps_come_out_of_their_shell_by_hand(steps, state):
+    told = steps("seafood", "Garlic Shrimp", f"shrimp:{state}", "butter:unmelted", "garlic:minced")
     (shelled,) = [inputs for inputs, motion, _ in told if motion == "peel" and "shrimp" in inputs]
     assert "knife" not in shelled
-    bought = steps("seafood", "Garlic Shrimp", "shrimp:deveined", "butter:unmelted", "garlic:minced")
-    assert "peel" not in motions_of(bought, "shrimp")
 
 
 @pytest.mark.parametrize(("herb", "state", "is_cut"), [("cilantro", "whole", True), ("basil", "leaves", False)])
