@@ -89,7 +89,9 @@ def _any_is(joins: Sequence[Join], *kinds: str) -> bool:
 
 
 def _raw_flesh(joins: Sequence[Join], kinds: Collection[str]) -> list[Join]:
-    return [join for join in joins if join.want.facts.is_a(*kinds) and not _is_done(join.want)]
+    """Return what is raw of those kinds; minced flesh is mixed with what would coat it, and never turned in that."""
+    raw = [join for join in joins if join.want.facts.is_a(*kinds) and not _is_done(join.want)]
+    return [join for join in raw if not join.want.facts.is_a(*word_list("patties are made of"))]
 
 
 def _is_shaped(line: Line) -> bool:
@@ -127,8 +129,7 @@ def coated_apart(
     """
     flesh = _raw_flesh(joins, kinds)
     dry = [join for join in joins if join.want.facts.is_a(*_DRY)]
-    shaped = _any_is(flesh, *word_list("patties are made of")) and _is_shaped(line)
-    if shaped or len(flesh) != 1 or not dry:
+    if len(flesh) != 1 or not dry:
         return line, tuple(joins)
     wet = _what_wets(joins, dry)
     dust = [join for join in dry if not join.want.facts.is_a(*_ROUGH)]  # it lets the wash cling to it

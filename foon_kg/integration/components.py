@@ -27,7 +27,7 @@ _NOWHERE = Spot(
 )
 
 
-_HOLDS = ("baked", "dressed", "formed", "stacked", "tin")
+_HOLDS = ("baked", "dressed", "formed", "laid", "stacked", "tin")
 """What of a dish a row may ask."""
 
 

@@ -129,6 +129,13 @@ def test_what_is_shaped_of_a_mass_is_not_coated():
     assert coated_apart(line, joins) == (line, joins)
 
 
+def test_minced_flesh_is_not_coated_though_nothing_shapes_it():
+    line = Line((stage("bake", {"heat", "dry"}),))
+    joins = joins_at(line, 0, "ground beef", "egg", "breadcrumb")
+    assert coated_alone(line, joins, tables(), baked=True) == (line, joins)
+    assert coated_apart(line, joins) == (line, joins)
+
+
 def test_flesh_in_one_piece_is_coated_though_its_video_shapes_patties():
     line = Line((stage("shape", {"shape"}), stage("", (), vessel="plate")))
     joins = joins_at(line, 1, "cod fillet", "flour", "egg", "breadcrumb")

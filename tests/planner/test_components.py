@@ -38,6 +38,13 @@ def test_what_is_for_the_pan_lies_below_the_dough(steps):
     assert pan.ingredients == ("cornmeal",)
 
 
+def test_the_topping_of_a_pizza_is_baked_on_it_and_leaves_come_on_it_then(steps):
+    topping = ("pizza sauce:sauce:topping", "mozzarella:shredded:topping", "pepperoni:sliced:topping")
+    told = steps("pizza", "Pepperoni Pizza", "pizza dough:whole", *topping, "arugula:fresh:topping")
+    assert {"pizza sauce", "mozzarella", "pepperoni"} <= inside(told, "bake")
+    assert "arugula" not in inside(told, "bake")
+
+
 def test_crumbs_come_in_butter_on_what_is_baked(steps):
     asked = ("cod fillet:raw", "salt:granulated", "cracker:crushed", "butter:melted")
     told = steps("seafood", "Baked Cod with Buttery Cracker Topping", *asked)

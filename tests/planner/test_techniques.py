@@ -104,6 +104,15 @@ def test_a_dish_of_a_type_that_no_video_has_is_made_by_its_technique(steps):
     assert first(told, "ketchup", "pour") < motions(told).index("bake")
 
 
+def test_a_loaf_of_meat_is_shaped_in_one_piece_whatever_its_type(steps):
+    mass = ("ground beef:raw", "egg:uncooked", "breadcrumbs:crumbs", "onion:chopped")
+    told = steps("beef", "Family Meatloaf", *mass, "ketchup:sauce", "brown sugar:granulated")
+    assert inside(told, "shape") == {"ground beef", "egg", "breadcrumbs", "onion"}
+    assert "loaf" in {node.label for _, motion, outputs in told if motion == "shape" for node in outputs}
+    assert "dip" not in motions(told)
+    assert "ketchup" in inside(told, "bake")
+
+
 def test_ginger_in_the_strainer_makes_a_tea(steps):
     told = steps("drinks", "Ginger Tea", "ginger:sliced", "water:liquid", "honey:thick liquid")
     assert "pour and strain" in motions(told)
