@@ -140,14 +140,14 @@ def coated_apart(
     dusted = replace(_BATH)
     bathed = replace(_BATH, adds=(wash,))
     rolled = replace(_BATH, adds=(powder,))
-    fries = (replace(COOK), replace(TURN), replace(COOK)) if heats else ()
+    hot = (replace(COOK), replace(TURN), replace(COOK)) if heats else ()
     last = line.stages[-1]
     first = (dusted, bathed) if dust else (bathed,)
-    served = replace(last, adds=(*last.adds, Line((*first, rolled, *fries))))
+    served = replace(last, adds=(*last.adds, Line((*first, rolled, *hot))))
     rest = [join for join in (*dry, *_what_seasons(joins)) if join not in dust]
     places = [(wet, wash.stages[0]), (rest, powder.stages[0]), ([*flesh, *dust], first[0])]
-    places += [(_frying_fat(joins), fries[0])] if fries else []
-    after = (*fries, served)
+    places += [(_frying_fat(joins), hot[0])] if hot else []
+    after = (*hot, served)
     found = []
     for join in joins:
         stage = next((stage for some, stage in places if any(one is join for one in some)), None)
