@@ -167,7 +167,8 @@ class Stages:
         if following is not None and self._goes_on(stage, following):
             return True
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
-        if later and heats and all(self._is_only_made_hot(food) for food in foods) and not self._is_awaited(later[0]):
+        hot = any(not one.does.isdisjoint(HEATS) for one in later)  # else this makes it hot, or nothing does
+        if hot and heats and all(self._is_only_made_hot(food) for food in foods) and not self._is_awaited(later[0]):
             return True
         flat = stage.motion in word_list("rises") and not any(f.is_a(*word_list("makes dough rise")) for f in foods)
         if flat or (not heats and self._is_done_on_a_plate(stage, vessel)):

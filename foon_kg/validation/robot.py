@@ -8,6 +8,7 @@ from itertools import pairwise
 from foon_kg.validation.case import Case, was_taken_out
 from foon_kg.validation.report import Finding
 from foon_kg.world import Happening, Lump, Vessel
+from foon_kg.world.reading import Said
 
 MOST_WAITING = 4
 """How many units may prepare other food while food waits in a hot vessel."""
@@ -33,6 +34,7 @@ def idle(case: Case) -> Iterator[Finding]:
             yield Finding("W4", "it is ground without a mill, mortar, blender or processor", happening.number)
     yield from _cut_for_nothing(case)
     yield from _moved_for_nothing(case)
+    yield from _never_lit(case)
 
 
 def _moves_nothing(happening: Happening) -> bool:
@@ -85,6 +87,21 @@ def _moved_for_nothing(case: Case) -> Iterator[Finding]:
                 )
                 yield Finding("W4", reason, happening.number, minor=True)
                 return
+
+
+def _never_lit(case: Case) -> Iterator[Finding]:
+    """Yield each vessel that is put over heat with food in it, and emptied before anything is turned on there."""
+    lit: set[int] = set()
+    for happening in case.happenings:
+        lit |= {id(vessel) for vessel in (*happening.hot, *happening.heated)}
+        over = {said.label for said in happening.said_in if _is_over_heat(said)}
+        for vessel in happening.emptied:
+            if vessel.label in over and id(vessel) not in lit:
+                yield Finding("W4", f"the {vessel.label} stood over what was never turned on", happening.number)
+
+
+def _is_over_heat(said: Said) -> bool:
+    return said.place_utensil is not None and said.place_utensil.source == "heat"
 
 
 def _only_moved(happening: Happening) -> bool:

@@ -45,6 +45,11 @@ def test_the_topping_of_a_pizza_is_baked_on_it_and_leaves_come_on_it_then(steps)
     assert "arugula" not in inside(told, "bake")
 
 
+def test_a_gravy_of_stock_alone_is_made_hot_before_it_comes_on_the_roast(steps):
+    told = steps("roast", "Roast Chicken", "chicken:whole", "butter:softened", "chicken stock:liquid:gravy")
+    assert inside(told, "cook and stir") == {"chicken stock"}
+
+
 def test_crumbs_come_in_butter_on_what_is_baked(steps):
     asked = ("cod fillet:raw", "salt:granulated", "cracker:crushed", "butter:melted")
     told = steps("seafood", "Baked Cod with Buttery Cracker Topping", *asked)

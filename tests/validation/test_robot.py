@@ -560,3 +560,16 @@ def test_w4_bare_hands_break_nothing_firm_and_raw(food, tool, fault):
 def test_w4_no_grater_holds_what_is_small(state, fault):
     step = f"coconut ({state}) + bowl (empty) + grater → GRATE → coconut (grated; in bowl) + bowl ({{coconut}})"
     assert any("no grater" in told for told in found("W4", step)) is fault
+
+
+@pytest.mark.parametrize("lit", [False, True])
+def test_w4_food_over_heat_that_is_never_turned_on_stands_there_for_nothing(lit):
+    told = lines(
+        "pan (empty) + carton ({stock}) + stock (liquid; in carton) → POUR → pan ({stock}) + stock (liquid; in pan)",
+        "pan ({stock}) + stove (off) → PICK-AND-PLACE → pan ({stock}; on stove) + stove (off; under pan)",
+        LIGHT if lit else "",
+        "pan ({stock}; on stove) + stock (liquid; in pan) + bowl (empty) → POUR"
+        " → bowl ({stock}) + stock (liquid; in bowl) + pan (empty; on stove)",
+    )
+    step = "W4 step 3: the pan stood over what was never turned on"
+    assert found("W4", told) == ([] if lit else [step])
