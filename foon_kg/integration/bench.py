@@ -101,6 +101,7 @@ class Bench:
         self.devices: dict[str, Device] = {}
         self.tools: dict[str, int] = {}
         self.standing: dict[int, Vessel] = {}
+        self.placed: list[Vessel] = []
         self.other_motions: dict[tuple[str, str], str] = {}
         self._numbers = 0
 
@@ -421,8 +422,9 @@ class Bench:
     # --- appliances ---
 
     def place(self, vessel: Vessel, label: str, relation: str) -> Device:
-        """Stand a vessel on an appliance, put it in, or attach it."""
+        """Stand a vessel on an appliance, put it in, or attach it; what is done with the heat is taken off before."""
         device = self.device(label)
+        self._clear(device, relation)
         motions = {"on": ("pick-and-place", "place"), "in": ("put inside", "insert", "pick-and-place")}
         ways = [(motion, ()) for motion in motions.get(relation, ("attach", "insert", "pick-and-place"))]
         attested = self.first(ways, foods_of(vessel))
@@ -431,7 +433,16 @@ class Bench:
             vessel.device, vessel.relation = device, relation
 
         self.emit(attested, [vessel, device], change, [vessel, (device, vessel)])
+        self.placed.append(vessel)
         return device
+
+    def _clear(self, device: Device, relation: str) -> None:
+        """Take off an appliance what was heated there, and is emptied or off the heat."""
+        self.placed[:] = [one for one in self.placed if one.device is not None]
+        for one in [one for one in self.placed if one.device is device and one.relation == relation == "on"]:
+            if one.hot and (not one.contents or not self.is_running(one)):
+                self.switch(one, device, on=False)
+                self.take_off(one)
 
     def take_off(self, vessel: Vessel) -> None:
         """Take a vessel off, out of or from its appliance."""

@@ -327,12 +327,17 @@ class Cooking:
             hot_first = self.carry.add_fat(vessel, self.plan) or "heat" in stage.does
         for number, one in enumerate(stuffs):
             last = number == len(stuffs) - 1
-            merge = self.stages.merges(stage, later, main=main) and last
+            ends = self.stages.merges(stage, later, main=main)
+            merge = ends and last
             fat = isinstance(one, Join) and one.want.facts.is_a("fat")
             if on_stove and hot_first and not fat:
                 self.placing.heat_on(vessel)  # what fries comes into a hot pan
                 self.work.heat_fat(vessel)
+            came = [self.ready[one.want.number].stuff] if isinstance(one, Join) else list(one.contents)
             self._add(stage, vessel, one, on_stove=on_stove)
+            if ends and len(came) == 1 and self.work.lies_on_what_is_done(came[0], vessel):
+                self.work.toss(vessel)
+                continue
             on_top = isinstance(one, Join) and one.on_top
             if merge and self.work.lies_unmixed(vessel) and not on_top and not self.stages.lays(stage, joins, later):
                 attested = self.work.stirring(foods_of(vessel))

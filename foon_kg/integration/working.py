@@ -15,6 +15,8 @@ from foon_kg.integration.operators import Attested, Nearness, Way, is_liquid_fat
 from foon_kg.integration.preparation import Want
 from foon_kg.world.becoming import meets
 
+_MIXTURE = "mixture"
+
 _POWDER = 5
 """So fine that nothing of it stays in a strainer."""
 
@@ -79,6 +81,25 @@ class Worker:
         tops = all(self.known.foods.food(stuff.label).is_a("topping") for stuff in beside)
         tops = tops or any("baked" in stuff.states for stuff in beside)
         return bool(mixed) and not tops and not cooked and not is_flat(vessel.label)
+
+    def lies_on_what_is_done(self, stuff: Stuff, vessel: Vessel) -> bool:
+        """Whether a food that came to what was cooked in a vessel is one that nobody leaves on it: noodles, butter."""
+        if is_flat(vessel.label) or self.plan.stacked or self.plan.laid:
+            return False
+        done = [one for one in vessel.contents if one.mixed and one is not stuff]
+        return self._is_tossed(stuff) and len(done) == 1 and self._is_cooked_loose(done[0])
+
+    def _is_tossed(self, stuff: Stuff) -> bool:
+        facts = self.known.foods.food(stuff.label, stuff.states)
+        return facts.is_a(*word_list("is stirred into what is done")) and not facts.is_a("topping")
+
+    def _is_cooked_loose(self, stuff: Stuff) -> bool:
+        return "baked" not in stuff.states and any(self.known.state(state).needs_heat for state in stuff.states)
+
+    def toss(self, vessel: Vessel) -> None:
+        """Stir what came to a dish that is done into it."""
+        states = tuple(sorted({*self.kept_states(vessel), "mixed"}))
+        self.bench.work(vessel, self.stirring(foods_of(vessel)), self.plan.label, states, with_device=False)
 
     def work_each(self, vessel: Vessel, attested: Attested, states: tuple[str, ...], *, with_device: bool) -> None:
         """Work on all foods of a vessel, each of which stays what it is."""
@@ -351,10 +372,10 @@ class Worker:
     def label(self, stage: Stage, vessel: Vessel, *, last: bool = False, main: bool = False) -> str:
         """Return what the whole is called after a stage: as in the frame where that is true of what is in it."""
         if last:
-            return self.plan.label
+            return self.plan.label if self._is_the_dish(vessel) else _MIXTURE
         label = stage.label
         if label == self.plan.goal and main and not stage.does.isdisjoint(HEATS):
-            return self.plan.label
+            return self.plan.label if self._is_the_dish(vessel) else _MIXTURE
         facts = self.known.foods.food(label, stage.states)
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
         if not label or label in self.known.dishes or not facts.is_a("made", "dough"):
@@ -375,6 +396,17 @@ class Worker:
         own = {*names, *self.plan.label.split()}
         *first, head = label.split()
         return " ".join([*(word for word in first if word in own), head])  # no biscuit dough where bread is made
+
+    def _is_the_dish(self, vessel: Vessel) -> bool:
+        """Whether what is boiled apart for a dish and gives it its name is in it yet, if that is to come: noodles."""
+        naming = {join.want.number for join in self.plan.joins if self._gives_its_name(join.want)}
+        return not naming or any(not naming.isdisjoint(stuff.wants) for stuff in vessel.contents)
+
+    def _gives_its_name(self, want: Want) -> bool:
+        """Whether a food is boiled by itself, and is what the dish is called after."""
+        needs = {one for dish in self.known.dishes_named(self.plan.label) for need in dish.needs for one in need}
+        boiled = want.facts.is_a(*word_list("is boiled by itself"))
+        return boiled and any(meets(one, want.facts, self.known) for one in needs)
 
     def coated(self, vessel: Vessel) -> str:
         """Return what the one food is called that lies in a vessel in what coats it, ``""`` where there are several."""

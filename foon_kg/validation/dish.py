@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Match, is_unbaked, singular, words
@@ -34,6 +35,7 @@ def defined(case: Case) -> Iterator[Finding]:
     yield from _unfinished(case)
     yield from unheeded(case)
     yield from _stirred_layers(case, case.goal)
+    yield from _called_too_early(case, case.goal)
     title = case.recipe.title or "" if case.recipe else ""
     for lack in missing(case, case.goal.label, *case.dish_types, title):
         yield Finding("K5", f"“{case.goal.label}” without {lack}", None, (case.goal,))
@@ -45,6 +47,23 @@ def defined(case: Case) -> Iterator[Finding]:
         bought = any(part.food.is_a(dish.name) for part in case.parts)  # bread that somebody dips was baked before
         if dish.baked and not (bought or _baked(case) or is_unbaked(title) or _sets_cold(case, dish)):
             yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (case.goal,))
+
+
+def _called_too_early(case: Case, goal: ObjectNode) -> Iterator[Finding]:
+    """Yield the steps that call something by the name of the dish before what makes that is in it."""
+    needs = [need for dish in case.tables.dishes_named(goal.label) if dish.is_type for need in dish.needs]
+    for happening, need in itertools.product(case.happenings, needs):
+        early = tuple(node for node in happening.outputs if node.label == goal.label and _lacks(case, node, need))
+        if early and _has_one(case, need):
+            first = need[0].rpartition(":")[2]
+            yield Finding("K5", f"“{goal.label}” before {first} is in it", happening.number, early)
+
+
+def _lacks(case: Case, node: ObjectNode, needs: tuple[str, ...]) -> bool:
+    """Whether a node tells of its foods, and none of these is or holds what is needed."""
+    foods = [case.tables.foods.food(name) for name in node.ingredients]
+    there = any(food.is_a("made") or any(meets(one, food, case.tables) for one in needs) for food in foods)
+    return bool(foods) and not there
 
 
 def _stirred_layers(case: Case, goal: ObjectNode) -> Iterator[Finding]:

@@ -105,3 +105,33 @@ def test_no_machine_makes_a_part_by_which_nobody_calls_the_dish(snapshot):
         parsley="chopped", lemon="juice",
     )  # fmt: skip
     assert not places(done, does={"blend"})
+
+
+POTS = {"pot", "cooking pan", "saucepan", "wok"}
+NOODLES = {"noodle": "uncooked", "beef": "sliced", "onion": "chopped", "soy_sauce": "liquid", "water": "liquid"}
+
+
+def plan_of(snapshot, dish_type, **foods):
+    asked = tuple(RequiredIngredient(food.replace("_", " "), state) for food, state in foods.items())
+    (answer,) = answers_to([Recipe(dish_type, asked, "x", None)], snapshot)
+    return answer.units
+
+
+def test_nothing_is_called_noodle_before_noodles_are_in_it_and_they_are_stirred_in(snapshot):
+    units = plan_of(snapshot, "noodle", oil="liquid", broccoli="chopped", **NOODLES)
+    called = [node for unit in units for node in unit.output_nodes if node.label == "noodle" and node.ingredients]
+    assert called
+    assert all("noodle" in node.ingredients for node in called)
+    last = max(number for number, unit in enumerate(units) if "strainer" in {n.label for n in unit.input_nodes})
+    assert "mix" in KNOWN.motion(units[last + 1].motion).does
+
+
+def test_no_second_vessel_comes_onto_the_stove_beside_one_that_is_done(snapshot):
+    rice = {"rice": "cooked", "oil": "liquid", "egg": "whipped", "parsnip": "diced", "garlic": "minced"}
+    for units in (plan_of(snapshot, "rice", **rice), plan_of(snapshot, "noodle", oil="liquid", **NOODLES)):
+        there: set[int | None] = set()
+        for unit in units:
+            there -= {one.thing for one in unit.made if one.node.container != "stove"}
+            there |= {one.thing for one in unit.made if one.node.container == "stove" and one.node.label in POTS}
+            assert len(there) <= 1
+        assert any("stove" in {node.label for node in unit.output_nodes} for unit in units)

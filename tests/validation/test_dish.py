@@ -277,6 +277,17 @@ def test_k5_a_step_does_what_the_title_names():
     assert found("K5", turned_over("Plain", "PICK-AND-PLACE")) == []
 
 
+@pytest.mark.parametrize(("called", "faults"), [("noodle", 1), ("mixture", 0)])
+def test_k5_nothing_is_called_by_the_dish_before_what_makes_it_is_in_it(called, faults):
+    tossed = f"""
+{called} (cooked; {{leek, water}}; in pot) + pot (hot; {{{called}}}; on stove) + spaghetti (cooked) + spoon → STIR
+  → noodle (cooked, mixed; {{leek, spaghetti, water}}; in pot) + pot (hot; {{noodle}}; on stove)
+""".replace("\n  →", " →")
+    told = found("K5", lines(heated(called, "leek", "water"), tossed))
+    assert [line for line in told if "before dry pasta is in it" in line] == told
+    assert len(told) == faults
+
+
 def test_k5_what_lies_in_layers_is_not_all_stirred_together():
     asked = recipe("pudding", "yogurt; strawberry", "Strawberry Parfait")
     assert found("K5", lines(asked, served("pudding", "strawberry", "yogurt"))) == [
