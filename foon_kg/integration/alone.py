@@ -63,8 +63,6 @@ class Alone:
 
     def beaten_first(self, join: Join, ready: Ready) -> None:
         """Open a food over a bowl of its own and beat it, where it is asked or joins so and is not beaten later."""
-        if ready.want.foamed:
-            self._beat_to_foam(ready)
         if not ready.whole_shell:
             return
         stage, want = join.spot.stage, join.want
@@ -87,8 +85,8 @@ class Alone:
             self.bench.work(bowl, attested, want.label, (state,), with_device=False)
             ready.stuff = bowl.contents[0]
 
-    def _beat_to_foam(self, ready: Ready) -> None:
-        """Pour a liquid into a bowl of its own and whip it."""
+    def beat_to_foam(self, ready: Ready) -> None:
+        """Pour a liquid into a bowl of its own and whip it: that is done last, as the foam falls."""
         want, bowl = ready.want, self.bench.vessel("bowl")
         ways = [way for way in self.bench.operators.making(want.make) if "whip" in self.known.motion(way[0]).does]
         attested = self.bench.attest(ways, want.names) or self.bench.far(ways, want.names)

@@ -234,13 +234,16 @@ class Cooking:
             self.alone.cook_first(join, self.boiled_late.pop(join.want.number))
 
     def _cook_base_now(self, joins: Sequence[Join], ready: Sequence[Vessel | None]) -> None:
-        """Cook the base that waited until what is laid on it is ready; that is off the heat meanwhile."""
+        """Cook the base that waited until what is laid on it is ready; that is off the heat meanwhile. Beat foams."""
         late = [join for join in joins if join.want.number in self.base_late]
         for vessel in ready if late else ():
             if vessel is not None:
                 self.bench.heat_off(vessel)
         for join in late:
             self.alone.cook_first(join, self.base_late.pop(join.want.number))
+        for join in joins:
+            if join.want.foamed:
+                self.alone.beat_to_foam(self.ready[join.want.number])
 
     def _stage(
         self, stage: Stage, vessel: Vessel | None, subs: dict[int, Vessel], later: Sequence[Stage], *, main: bool

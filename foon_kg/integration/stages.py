@@ -48,9 +48,10 @@ class Stages:
         return laid or (self.waits_for_sauce(stage) and self.is_drained(line)) or self._falls(line)
 
     def _falls(self, line: Line) -> bool:
-        """Whether a line beats to a foam what came apart when it was opened."""
+        """Whether a line beats to a foam what came apart when it was opened, or what is whipped."""
         joins = [join for stage in line.stages for join in self.course.ordered(stage)]
-        return any("whip" in stage.does for stage in line.stages) and any(join.want.part == PART for join in joins)
+        foams = any(join.want.part == PART or join.want.foamed for join in joins)
+        return foams and any("whip" in stage.does for stage in line.stages)
 
     def is_drained(self, line: Line) -> bool:
         """Whether a line ends in a strainer."""

@@ -50,6 +50,31 @@ def test_a_gravy_of_stock_alone_is_made_hot_before_it_comes_on_the_roast(steps):
     assert inside(told, "cook and stir") == {"chicken stock"}
 
 
+def test_cream_is_whipped_when_the_pie_is_done(steps):
+    crust = ("crackers:crumbs:crust", "butter:melted:crust")
+    filling = ("condensed milk:thick liquid:filling", "egg yolks:uncooked:filling", "lime juice:juice:filling")
+    told = steps("pie", "Lime Pie", *crust, *filling, "heavy whipping cream:liquid:topping", "powdered sugar::topping")
+    poured = first(told, "heavy whipping cream", "pour")
+    assert motions(told).index("bake") < poured < max(place for place, one in enumerate(motions(told)) if one == "beat")
+
+
+def test_butter_for_the_topping_comes_to_the_crumbs_that_are_listed_before_it(steps):
+    sauce = ("butter:unmelted", "flour:powder", "milk:liquid", "cheddar:shredded")
+    crumbs = ("panko:crumbs", "butter:melted:topping")
+    told = steps("pasta", "Baked Macaroni and Cheese", "macaroni:uncooked", *sauce, *crumbs)
+    mixed = [set(outputs[0].ingredients) for _, motion, outputs in told if motion == "mix"]
+    assert {"panko", "butter"} in mixed
+    assert max(place for place, one in enumerate(motions(told)) if one == "mix") < motions(told).index("bake")
+    stirred = [set(outputs[0].ingredients) for _, motion, outputs in told if motion == "cook and stir"]
+    assert any("cheddar" in foods for foods in stirred)
+
+
+def test_coarse_sugar_to_be_sprinkled_is_baked_on_it(steps):
+    batter = ("flour:powder", "sugar:granulated", "butter:softened", "egg:uncooked", "milk:liquid")
+    told = steps("muffin", "Plain Muffins", *batter, "coarse sugar:granulated:sprinkling")
+    assert first(told, "coarse sugar", "pour") < motions(told).index("bake")
+
+
 def test_crumbs_come_in_butter_on_what_is_baked(steps):
     asked = ("cod fillet:raw", "salt:granulated", "cracker:crushed", "butter:melted")
     told = steps("seafood", "Baked Cod with Buttery Cracker Topping", *asked)
