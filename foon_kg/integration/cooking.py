@@ -336,12 +336,12 @@ class Cooking:
             if on_stove and hot_first and not fat:
                 self.placing.heat_on(vessel)  # what fries comes into a hot pan
                 self.work.heat_fat(vessel)
+            on_top = isinstance(one, Join) and one.on_top
             came = [self.ready[one.want.number].stuff] if isinstance(one, Join) else list(one.contents)
             self._add(stage, vessel, one, on_stove=on_stove)
-            if ends and len(came) == 1 and self.work.lies_on_what_is_done(came[0], vessel):
+            if ends and not on_top and len(came) == 1 and self.work.lies_on_what_is_done(came[0], vessel):
                 self.work.toss(vessel)
                 continue
-            on_top = isinstance(one, Join) and one.on_top
             if merge and self.work.lies_unmixed(vessel) and not on_top and not self.stages.lays(stage, joins, later):
                 attested = self.work.stirring(foods_of(vessel))
                 self.bench.work(vessel, attested, self.plan.label, self.work.kept_states(vessel), with_device=False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from foon_kg.food import Tables
+from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
@@ -91,7 +91,8 @@ class Worker:
 
     def _is_tossed(self, stuff: Stuff) -> bool:
         facts = self.known.foods.food(stuff.label, stuff.states)
-        return facts.is_a(*word_list("is stirred into what is done")) and not facts.is_a("topping")
+        named = facts.is_a(*word_list("is eaten with a sauce")) and self._is_named_after(facts)
+        return (named or facts.is_a(*word_list("is stirred into what is done"))) and not facts.is_a("topping")
 
     def _is_cooked_loose(self, stuff: Stuff) -> bool:
         return "baked" not in stuff.states and any(self.known.state(state).needs_heat for state in stuff.states)
@@ -404,9 +405,12 @@ class Worker:
 
     def _gives_its_name(self, want: Want) -> bool:
         """Whether a food is boiled by itself, and is what the dish is called after."""
+        return want.facts.is_a(*word_list("is boiled by itself")) and self._is_named_after(want.facts)
+
+    def _is_named_after(self, facts: Food) -> bool:
+        """Whether a food is what makes the dish what it is called: rice in a dish of rice."""
         needs = {one for dish in self.known.dishes_named(self.plan.label) for need in dish.needs for one in need}
-        boiled = want.facts.is_a(*word_list("is boiled by itself"))
-        return boiled and any(meets(one, want.facts, self.known) for one in needs)
+        return any(meets(one, facts, self.known) for one in needs)
 
     def coated(self, vessel: Vessel) -> str:
         """Return what the one food is called that lies in a vessel in what coats it, ``""`` where there are several."""

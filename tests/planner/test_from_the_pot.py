@@ -135,3 +135,10 @@ def test_no_second_vessel_comes_onto_the_stove_beside_one_that_is_done(snapshot)
             there |= {one.thing for one in unit.made if one.node.container == "stove" and one.node.label in POTS}
             assert len(there) <= 1
         assert any("stove" in {node.label for node in unit.output_nodes} for unit in units)
+
+
+def test_rice_beside_what_is_no_dish_of_rice_is_not_stirred_into_it(snapshot):
+    foods = {"beef": "sliced", "broccoli": "floret", "soy_sauce": "liquid", "oil": "liquid", "rice": "steamed"}
+    units = plan_of(snapshot, "stir-fry", **foods)
+    last = max(number for number, unit in enumerate(units) if "rice" in {n.label for n in unit.input_nodes})
+    assert not any("mix" in KNOWN.motion(unit.motion).does for unit in units[last:])
