@@ -421,7 +421,10 @@ class Carrier:
                         attested = self.bench.far(ways, stuff.foods)
         by_hand: list[Way] = [("pick-and-place", ()), ("pour", ())]
         if attested is None:  # as seldom as it may be
-            attested = self.bench.attest(self._fitting(by_hand, stuff, source, vessel, strict=False), stuff.foods)
+            ways = self._fitting(by_hand, stuff, source, vessel, strict=False)
+            attested = self.bench.attest(ways, stuff.foods)
+            if attested is None and not word_list("runs").isdisjoint(stuff.states):
+                attested = self.bench.far(ways, stuff.foods)  # whatever it is: no hand picks up what runs
         return attested or self.bench.require(groups[-1] or by_hand, stuff.foods)
 
     def _as_shown(self, slot: Slot | None, want: Want, stuff: Stuff) -> list[Way]:

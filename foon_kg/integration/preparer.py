@@ -30,7 +30,7 @@ from foon_kg.integration.preparation import (
 )
 from foon_kg.world.treatment import ADVISED
 
-_STANDS_FOR = {"stone": ("core",), "core": ("stone",), "shell": ("peel",), "husk": ("peel",)}
+_STANDS_FOR = {"stone": ("core",), "choke": ("core",), "core": ("stone",), "shell": ("peel",), "husk": ("peel",)}
 """What also does for a treatment."""
 
 _DONE_WITH = {"stone": "core", "peel": "husk"}
@@ -80,7 +80,10 @@ class Preparer(Cutter):
         if (want.squeezed or juicy) and self.operators.giving.get(JUICE):
             self._squeeze(ready)
             return ready
-        if "canned" in want.leaf and "drain" in {*want.facts.owes, *self.known.state(want.asked).earns}:
+        if want.storage in word_list("is poured out of its can") and "drain" in {
+            *want.facts.owes,
+            *self.known.state(want.asked).earns,
+        }:
             self._drain(ready)
         self._advise(ready)
         self._divide(ready, cut, alone=alone)
@@ -351,7 +354,9 @@ class Preparer(Cutter):
 
     def _assume(self, ready: Ready, state: str) -> None:
         stuff = ready.stuff
-        stuff.states = tuple(sorted({*(s for s in stuff.states if not self.known.state(s).undivided), state}))
+        was = self.known.state(state).before
+        kept = (s for s in stuff.states if not self.known.state(s).undivided and s not in was)
+        stuff.states = tuple(sorted({*kept, state}))
         why = f"no step of this FOON makes {ready.want.label} {state}, nor a like food or one of its kind"
         ready.assumptions.append(why)
 

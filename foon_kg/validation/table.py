@@ -18,6 +18,7 @@ ENOUGH = {
     "core": frozenset({"core", "stone"}),
     "stone": frozenset({"stone", "core"}),
     "husk": frozenset({"husk", "peel", "cut"}),
+    "choke": frozenset({"choke", "core"}),
 }
 """What does for each treatment that a food asks for."""
 
@@ -72,7 +73,10 @@ def whole(case: Case) -> Iterator[Finding]:
         for treatment, level in sorted(part.food.owes.items()):
             if treatment not in _WHOLE or level is Level.ADVICE or _is_done(part, treatment):
                 continue
-            yield Finding("K2", f"{part.name} is in the dish {_WHOLE[treatment]}", minor=level is Level.MINOR)
+            spread = part.fine > 0 and treatment in word_list("is spread by cutting")
+            yield Finding(
+                "K2", f"{part.name} is in the dish {_WHOLE[treatment]}", minor=level is Level.MINOR and not spread
+            )
         if part.food.is_a(*word_list("is taken out of the dish")) and _is_left_in(case, part):
             yield Finding("K2", f"{part.name} is in the dish, and nobody eats it", minor=True)
 

@@ -44,6 +44,38 @@ def test_egg_that_is_sold_without_its_shell_is_poured(steps, dish, title, rest):
     assert "pour" in taken
 
 
+@pytest.mark.parametrize(
+    ("dish", "food", "storage", "motion"),
+    [
+        ("soup", "artichoke:chopped", "can", "chop"), ("salad", "bean:bean", "can", "pour"),
+        ("salad", "lettuce:whole leafy", "", "chop"), ("cake", "date:chopped", "", "chop"),
+    ],
+)  # fmt: skip
+def test_hearts_and_beans_are_drained_heads_and_dates_cut(steps, dish, food, storage, motion):
+    rest = {
+        "soup": ("broth:liquid", "cream:creamy", "onion:chopped"),
+        "salad": ("oil:liquid", "tomato:whole", "vinegar:liquid"),
+        "cake": ("flour:powder", "sugar:granulated", "egg:whole", "butter:softened"),
+    }[dish]
+    label = food.partition(":")[0]
+    told = steps(dish, dish.title(), food, *rest)
+    (begin, act, _), *_ = [step for step in told if label in step[0]]
+    assert act == ("pour" if storage else motion)
+    assert ({storage, "strainer"} if storage else {"cutting board", "knife"}) <= begin
+
+
+@pytest.mark.parametrize(("food", "state"), [("date", "pitted"), ("prune", "seeded"), ("kalamata olive", "pitted")])
+def test_what_is_sold_without_its_stone_is_bought_so(public_plans, food, state):
+    dish = ("salad", "Salad", f"{food}:{state}", "lettuce:leaf", "tomato:whole", "oil:liquid")
+    (taken, *_) = [node for unit in public_plans(*dish).units for node in unit.input_nodes if node.label == food]
+    assert state in taken.states
+
+
+def test_what_is_assumed_to_be_thawed_is_frozen_no_more(public_plans):
+    result = public_plans("soup", "Soup", "pea:thawed", "onion:chopped", "broth:liquid")
+    assert [set(one.node.states) for one in result.assumptions] == [{"thawed"}]
+
+
 def test_what_is_toasted_is_toasted_dry(steps):
     told = steps(
         "sauce", "Romesco Sauce", "almond:toasted", "tomato:roasted", "garlic:minced", "olive oil:liquid",

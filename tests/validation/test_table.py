@@ -262,6 +262,11 @@ def test_k2_whatever_divides_a_food_is_enough(motion, ends):
     assert worked("tomato", motion, ends) == []
 
 
+def test_k2_nobody_finds_the_choke_of_an_artichoke_that_was_cut_up():
+    assert "K2: artichoke is in the dish with its choke" in worked("artichoke", "chop", "chopped")
+    assert whole("artichoke", "canned") == []
+
+
 @pytest.mark.parametrize("motion", ["peel", "wash", "put", "mix", "core"])
 def test_k2_what_does_not_divide_a_food_is_not_enough(motion):
     assert "K2: tomato is in the dish in one piece" in worked("tomato", motion, "whole")
