@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from foon_kg.food import Food, Tables
+from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
@@ -266,6 +266,8 @@ class Worker:
         states = [state for state in (want.make, want.then, *want.leaf) if state]
         if want.facts.is_a(*word_list("is a leaf by itself")):
             states = [state for state in states if state not in word_list("is plucked off its stem")]
+        elif not word_list("is plucked off its stem").isdisjoint(words(want.label)):
+            return False
         plucked = not word_list("is plucked off its stem").isdisjoint(states)
         return not plucked and not any((self.known.state(state).fine or 0) > 0 for state in states)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from foon_kg.food import Level, singular
+from foon_kg.food import Level, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
@@ -84,7 +84,7 @@ def whole(case: Case) -> Iterator[Finding]:
 def _is_left_in(case: Case, part: Part) -> bool:
     """Whether what only gives its taste is still in the dish, by its name, and in one piece."""
     told = {singular(food) for food in case.goal.ingredients} if case.goal is not None else set[str]()
-    plucked = not word_list("is plucked off its stem").isdisjoint(part.states)
+    plucked = not word_list("is plucked off its stem").isdisjoint((*part.states, *words(part.name)))
     plucked = plucked and not part.food.is_a(*word_list("is a leaf by itself"))
     return part.fine == 0 and not plucked and (part.name in told or not told)
 

@@ -35,6 +35,15 @@ def test_herbs_are_chopped_into_a_salad_unless_their_leaves_are_served(steps, he
     assert ("chop" in motions_of(told, herb)) is is_cut
 
 
+def test_leaves_that_were_plucked_off_their_stems_stay_in_the_dish(steps):
+    asked = ("lentil:bean", "stock:liquid", "carrot:chopped", "bay leaf:leaves", "thyme leaves:fresh")
+    told = steps("soup", "Lentil Soup", *asked)
+    out = {
+        node.label for _, motion, outputs in told if motion == "remove" for node in outputs if node.container == "plate"
+    }
+    assert out == {"bay leaf"}
+
+
 def test_what_only_gives_its_taste_is_taken_out_in_one_step(steps):
     told = steps(
         "soup", "", "lentil:bean", "stock:liquid", "carrot:chopped", "bay leaf:leaves", "thyme:sprig", "onion:chopped"

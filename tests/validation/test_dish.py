@@ -328,6 +328,8 @@ def test_k2_a_leaf_is_in_one_piece_and_leaves_that_were_plucked_off_a_stem_are_n
 
     assert left("bay leaf") == ["K2 (minor): bay leaf is in the dish, and nobody eats it"]
     assert left("rosemary") == []
+    assert found("K2", heated("soup", "thyme leaf", "water")) == []
+    assert len(found("K2", heated("soup", "thyme", "water"))) == 1
 
 
 def test_k6_an_asked_food_is_in_the_dish():
