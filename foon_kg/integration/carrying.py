@@ -386,7 +386,15 @@ class Carrier:
             self.bench.bring([stuff], jug, self._way_of(ready, slot, jug))
         attested = self._with_spoon(self._way_of(ready, slot, vessel))
         smears = attested.way[0] in word_list("greases") and form_of(self.known, stuff.label, stuff.states) == "soft"
-        self.bench.bring([stuff], vessel, attested, onto=list(vessel.contents) if smears else ())
+        comes = [stuff, *self._clinging(stuff, source)] if attested.way[0] in _POUR else [stuff]
+        self.bench.bring(comes, vessel, attested, onto=list(vessel.contents) if smears else ())
+
+    def _clinging(self, stuff: Stuff, source: Vessel | None) -> list[Stuff]:
+        """Return the fat in which a food was fried: nobody pours that out of its pan without it."""
+        if source is None or source.storage or not source.hot:
+            return []
+        others = [one for one in source.contents if one is not stuff]
+        return others if all(self.known.foods.food(one.label).is_a("fat") for one in others) else []
 
     def _with_spoon(self, attested: Attested) -> Attested:
         """Return a way with the tool that scoops, where a video forgot to name it."""

@@ -35,6 +35,14 @@ def test_herbs_are_chopped_into_a_salad_unless_their_leaves_are_served(steps, he
     assert ("chop" in motions_of(told, herb)) is is_cut
 
 
+def test_what_was_fried_by_itself_is_poured_with_its_fat(steps):
+    asked = ("potatoes:quartered", "garlic:peeled", "butter:cut", "salt:granulated")
+    told = steps("potatoes", "Garlic Mashed Potatoes", *asked)
+    fried = [inputs for inputs, motion, _ in told if motion == "pour" and {"cooking pan", "garlic"} <= inputs]
+    assert fried
+    assert all("butter" in inputs for inputs in fried if "cutting board" not in inputs)
+
+
 def test_leaves_that_were_plucked_off_their_stems_stay_in_the_dish(steps):
     asked = ("lentil:bean", "stock:liquid", "carrot:chopped", "bay leaf:leaves", "thyme leaves:fresh")
     told = steps("soup", "Lentil Soup", *asked)
