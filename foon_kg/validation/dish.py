@@ -123,16 +123,9 @@ def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
     """Yield what a dish needs by its name (``texts`` are its type and title) and has not, and its missing namesakes."""
     for dish in case.tables.dishes_named(label, *texts):
         for needs in dish.needs if not _is_asked(case, dish) else ():
-            if not _has_one(case, needs) or _is_flour_in_a_sauce(case, dish, needs):
+            if not _has_one(case, needs):
                 yield " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
     yield from (food for food in namesakes(case, label) if not _is_in(case, food))
-
-
-def _is_flour_in_a_sauce(case: Case, dish: Dish, needs: tuple[str, ...]) -> bool:
-    """Whether flour alone is what a dish of noodles has, and nobody kneads or shapes anything."""
-    flours = all(part.food.is_a("flour") for part in case.parts if any(meets(n, part.food, case.tables) for n in needs))
-    shaped = any(one.does("knead", "shape") for one in case.happenings)
-    return dish.name in word_list("is made of noodles or dough") and flours and not shaped
 
 
 def _is_asked(case: Case, dish: Dish) -> bool:

@@ -288,13 +288,6 @@ def test_k5_nothing_is_called_by_the_dish_before_what_makes_it_is_in_it(called, 
     assert len(told) == faults
 
 
-@pytest.mark.parametrize(("work", "faults"), [("MIX", 1), ("KNEAD", 0)])
-def test_k5_flour_that_only_thickens_is_no_noodle(work, faults):
-    worked = f"noodle (cooked; {{flour, leek}}; in pot) → {work} → noodle"
-    told = found("K5", heated("noodle", "flour", "leek") + worked)
-    assert len([line for line in told if "without dry pasta" in line]) == faults
-
-
 def test_k5_what_lies_in_layers_is_not_all_stirred_together():
     asked = recipe("pudding", "yogurt; strawberry", "Strawberry Parfait")
     assert found("K5", lines(asked, served("pudding", "strawberry", "yogurt"))) == [
