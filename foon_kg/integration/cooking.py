@@ -7,7 +7,7 @@ is cooked; then the lines of the frame are carried out, each heat block uninterr
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables
@@ -181,14 +181,11 @@ class Cooking:
 
     def _run(self, line: Line, *, main: bool = False, after: Sequence[Stage] = ()) -> Vessel | None:
         subs: dict[int, Vessel] = {}
+        late = self.stages.made_late(line)
         for place, stage in enumerate(line.stages):
             later = (*line.stages[place + 1 :], *after)
             for add in stage.adds:
-                if (
-                    isinstance(add, Line)
-                    and self.course.alive(add)
-                    and not self.stages.is_made_late(stage, add, first=not place)
-                ):
+                if isinstance(add, Line) and self.course.alive(add) and id(add) not in late:
                     made = self._run(add, after=(stage, *later))
                     if made is not None:
                         subs[id(add)] = made
@@ -207,7 +204,7 @@ class Cooking:
             if oven and self.placing.is_lit_first(oven, line.stages[place:]):
                 self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
                 oven = ""
-            self._boil_now(stage, vessel, subs, later)
+            self._boil_now(stage, vessel, subs, later, late)
             if vessel is not None and stage.motion in word_list("strains"):
                 vessel = self.work.strained(vessel)
             else:
@@ -216,10 +213,16 @@ class Cooking:
             self.bench.heat_off(vessel)
         return vessel
 
-    def _boil_now(self, stage: Stage, vessel: Vessel | None, subs: dict[int, Vessel], later: Sequence[Stage]) -> None:
+    def _boil_now(
+        self,
+        stage: Stage,
+        vessel: Vessel | None,
+        subs: dict[int, Vessel],
+        later: Sequence[Stage],
+        late: Collection[int],
+    ) -> None:
         """Make what waited until now, and boil what waited for its sauce; meanwhile that is off the heat."""
-        beside = [add for add in stage.adds if isinstance(add, Line)]
-        beside = [add for add in beside if self.stages.is_made_late(stage, add, first=vessel is None)]
+        beside = [add for add in stage.adds if isinstance(add, Line) and id(add) in late]
         lines = [line for line in beside if id(line) not in subs and self.course.alive(line)]
         here = itertools.takewhile(lambda one: one is stage or one.does.isdisjoint(HEATS), (stage, *later))
         there = here if stage.does.isdisjoint(HEATS) else [stage]

@@ -38,14 +38,24 @@ class Stages:
         after = not self.plan.stacked and self.course.follows_heat(stage)
         return self.waits_for_sauce(stage) or (after and (self.plan.one_pot or stage.does.isdisjoint(HEATS)))
 
-    def is_made_late(self, stage: Stage, line: Line, *, first: bool) -> bool:
-        """Whether what joins a stage is made just before it: what waits for a sauce, and a foam, which falls.
+    def made_late(self, line: Line) -> frozenset[int]:
+        """Return, by identity, what joins a line and is made just before: what waits for a sauce, and a foam.
 
-        So is what is cooked for itself and laid on the rest, unless the stage is the ``first`` of its line: the rest
-        is lifted out of its hot pan before.
+        So is what is cooked to be laid on the rest, where that comes out of a hot pan of its own, and is lifted out.
         """
-        laid = not first and not stage.motion and any(not one.does.isdisjoint(HEATS) for one in line.stages)
-        return laid or (self.waits_for_sauce(stage) and self.is_drained(line)) or self._falls(line)
+        found = set()
+        lifted = False
+        for stage in line.stages:
+            adds = _lines_at(stage)
+            found |= {id(add) for add in adds if self._waits(stage, add)}
+            hot = {id(add) for add in adds if _is_over_heat(add)}
+            if lifted and not stage.motion:
+                found |= hot
+            lifted = lifted or bool(hot)
+        return frozenset(found)
+
+    def _waits(self, stage: Stage, line: Line) -> bool:
+        return (self.waits_for_sauce(stage) and self.is_drained(line)) or self._falls(line)
 
     def _falls(self, line: Line) -> bool:
         """Whether a line beats to a foam what came apart when it was opened, or what is whipped."""
@@ -268,3 +278,11 @@ class Stages:
         dish = row is not None and row.group in word_list("is served in what it is baked in")
         baked = any("baked" in stuff.states for stuff in vessel.contents)
         return ends and dish and baked and not self.plan.tin and not self.plan.laid and self.has_no_portions()
+
+
+def _is_over_heat(line: Line) -> bool:
+    return any(not stage.does.isdisjoint(HEATS) for stage in line.stages)
+
+
+def _lines_at(stage: Stage) -> list[Line]:
+    return [add for add in stage.adds if isinstance(add, Line)]

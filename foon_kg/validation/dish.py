@@ -14,7 +14,7 @@ from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.validation.case import Case, names, was_taken_out
 from foon_kg.validation.named import unheeded
 from foon_kg.validation.report import Finding
-from foon_kg.validation.robot import of_world
+from foon_kg.validation.robot import never_lit, of_world
 from foon_kg.world import Happening, Part, Vessel
 from foon_kg.world.becoming import meets
 
@@ -293,6 +293,7 @@ def sense(case: Case) -> Iterator[Finding]:
             yield Finding("K7", "fat is poured through a strainer", happening.number, minor=True)
         if happening.does("dry"):
             yield from _ungreased(case, happening)
+    yield from never_lit(case)
     yield from _misread(case)
     yield from _drunk_in_pieces(case)
     stirred = [part for part in case.parts if part.food.is_a("topping") and part.mixed is not None]

@@ -34,7 +34,6 @@ def idle(case: Case) -> Iterator[Finding]:
             yield Finding("W4", "it is ground without a mill, mortar, blender or processor", happening.number)
     yield from _cut_for_nothing(case)
     yield from _moved_for_nothing(case)
-    yield from _never_lit(case)
 
 
 def _moves_nothing(happening: Happening) -> bool:
@@ -89,15 +88,15 @@ def _moved_for_nothing(case: Case) -> Iterator[Finding]:
                 return
 
 
-def _never_lit(case: Case) -> Iterator[Finding]:
-    """Yield each vessel that is put over heat with food in it, and emptied before anything is turned on there."""
+def never_lit(case: Case) -> Iterator[Finding]:
+    """Yield (K7) each vessel that is put over heat with food in it, and emptied before anything is turned on there."""
     lit: set[int] = set()
     for happening in case.happenings:
         lit |= {id(vessel) for vessel in (*happening.hot, *happening.heated)}
         over = {said.label for said in happening.said_in if _is_over_heat(said)}
         for vessel in happening.emptied:
             if vessel.label in over and id(vessel) not in lit:
-                yield Finding("W4", f"the {vessel.label} stood over what was never turned on", happening.number)
+                yield Finding("K7", f"the {vessel.label} stood over what was never turned on", happening.number)
 
 
 def _is_over_heat(said: Said) -> bool:

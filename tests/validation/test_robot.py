@@ -563,7 +563,7 @@ def test_w4_no_grater_holds_what_is_small(state, fault):
 
 
 @pytest.mark.parametrize("lit", [False, True])
-def test_w4_food_over_heat_that_is_never_turned_on_stands_there_for_nothing(lit):
+def test_k7_food_over_heat_that_is_never_turned_on_stands_there_for_nothing(lit):
     told = lines(
         "pan (empty) + carton ({stock}) + stock (liquid; in carton) → POUR → pan ({stock}) + stock (liquid; in pan)",
         "pan ({stock}) + stove (off) → PICK-AND-PLACE → pan ({stock}; on stove) + stove (off; under pan)",
@@ -571,5 +571,5 @@ def test_w4_food_over_heat_that_is_never_turned_on_stands_there_for_nothing(lit)
         "pan ({stock}; on stove) + stock (liquid; in pan) + bowl (empty) → POUR"
         " → bowl ({stock}) + stock (liquid; in bowl) + pan (empty; on stove)",
     )
-    step = "W4 step 3: the pan stood over what was never turned on"
-    assert found("W4", told) == ([] if lit else [step])
+    step = "K7 step 3: the pan stood over what was never turned on"
+    assert found("K7", told) == ([] if lit else [step])
