@@ -71,14 +71,6 @@ def test_what_is_sold_without_its_stone_is_bought_so(public_plans, food, state):
     assert state in taken.states
 
 
-@pytest.mark.parametrize("food", ["date:chopped", "olive:sliced", "kalamata olive:halved", "prune:chopped"])
-def test_nothing_is_cut_with_a_stone_in_it(public_plans, food):
-    label = food.partition(":")[0]
-    dish = ("salad", "Salad", food, "lettuce:leaf", "tomato:whole", "oil:liquid")
-    (taken, *_) = [node for unit in public_plans(*dish).units for node in unit.input_nodes if node.label == label]
-    assert taken.states == ("pitted",)
-
-
 def test_what_is_assumed_to_be_thawed_is_frozen_no_more(public_plans):
     result = public_plans("soup", "Soup", "pea:thawed", "onion:chopped", "broth:liquid")
     assert [set(one.node.states) for one in result.assumptions] == [{"thawed"}]
