@@ -18,7 +18,8 @@ from foon_kg.loaders import read_paths, write_json
 
 pytestmark = pytest.mark.slow
 
-PROGRAM = [sys.executable, "-c", "import sys; from foon_kg.cli import main; sys.exit(main())"]
+# without -B they would keep compiled code, too, which without room is torn, and every later test would read it
+PROGRAM = [sys.executable, "-B", "-c", "import sys; from foon_kg.cli import main; sys.exit(main())"]
 FILES = ["--files", str(demo_folder())]
 RECIPES = [str(path) for path in demo_recipes()[:3]]
 ROOM = 512

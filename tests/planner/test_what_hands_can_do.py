@@ -64,7 +64,7 @@ def test_hearts_and_beans_are_drained_heads_and_dates_cut(steps, dish, food, sto
     assert ({storage, "strainer"} if storage else {"cutting board", "knife"}) <= begin
 
 
-@pytest.mark.parametrize(("food", "state"), [("date", "pitted"), ("prune", "seeded"), ("kalamata olive", "pitted")])
+@pytest.mark.parametrize(("food", "state"), [("date", "pitted"), ("prune", "pitted")])
 def test_what_is_sold_without_its_stone_is_bought_so(public_plans, food, state):
     dish = ("salad", "Salad", f"{food}:{state}", "lettuce:leaf", "tomato:whole", "oil:liquid")
     (taken, *_) = [node for unit in public_plans(*dish).units for node in unit.input_nodes if node.label == food]

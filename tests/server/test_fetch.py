@@ -142,7 +142,7 @@ def fetch_command(jar_set, folder):
     rows = ", ".join(
         f'{{"coordinates": "{jar.coordinates}", "size": {jar.size}, "sha256": "{jar.sha256}"}}' for jar in jar_set.jars
     )
-    return [sys.executable, "-c", FETCH, f'{{"version": "1.0", "jars": [{rows}]}}', str(folder)]
+    return [sys.executable, "-B", "-c", FETCH, f'{{"version": "1.0", "jars": [{rows}]}}', str(folder)]
 
 
 def test_a_fetch_that_is_killed_goes_on_where_it_was(repository, tmp_path):

@@ -90,7 +90,7 @@ def test_a_start_without_room_says_so_and_the_next_one_works(place):
         "try:\n    start()\nexcept ServerError as error:\n    sys.exit(f'{error.code}: {error.message}')\n"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code], preexec_fn=small_files, capture_output=True, text=True, check=False
+        [sys.executable, "-B", "-c", code], preexec_fn=small_files, capture_output=True, text=True, check=False
     )
     assert done.returncode == 1
     assert done.stderr.startswith("no-space: "), done.stderr
