@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from foon_kg.integration.operators import MOST_SIGHTINGS
+from foon_kg.integration.teaching.operators import MOST_SIGHTINGS
 
 
 def told(methods):

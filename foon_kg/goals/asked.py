@@ -10,8 +10,8 @@ from foon_kg.food import Tables, is_unbaked, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.goals.names import is_baked, made_of_verb
-from foon_kg.integration.batters import is_of_batter, is_of_dough
-from foon_kg.integration.preparation import Want, owed
+from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
+from foon_kg.integration.preparing.preparation import Want, owed
 from foon_kg.world.becoming import meets
 
 CARRIES = word_list("a dish is built on")

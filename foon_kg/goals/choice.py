@@ -13,13 +13,13 @@ from foon_kg.goals.names import BY_TITLE, BY_TYPE
 from foon_kg.goals.recorded import Recorded, recorded
 from foon_kg.goals.score import score
 from foon_kg.goals.vetoes import vetoes
-from foon_kg.integration.frames import Frame
-from foon_kg.integration.layouts import Layout
-from foon_kg.integration.operators import Likes
-from foon_kg.integration.outlines import Outlines, Sought
-from foon_kg.integration.places import Matcher
-from foon_kg.integration.preparation import Want
-from foon_kg.integration.spots import Join
+from foon_kg.integration.joining.layouts import Layout
+from foon_kg.integration.joining.outlines import Outlines, Sought
+from foon_kg.integration.joining.places import Matcher
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.preparing.preparation import Want
+from foon_kg.integration.teaching.frames import Frame
+from foon_kg.integration.teaching.operators import Likes
 from foon_kg.world.becoming import meets
 
 _MOST = 0.6

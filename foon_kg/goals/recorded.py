@@ -8,10 +8,10 @@ from functools import cached_property, lru_cache
 from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.goals.asked import CARRIES, SEASONS
-from foon_kg.integration.batters import is_thin
-from foon_kg.integration.frames import Frame, Line
-from foon_kg.integration.layouts import Layout
-from foon_kg.integration.spots import Spot
+from foon_kg.integration.joining.batters import is_thin
+from foon_kg.integration.joining.layouts import Layout
+from foon_kg.integration.joining.spots import Spot
+from foon_kg.integration.teaching.frames import Frame, Line
 
 _MOST_KEPT = 2048
 """For how many dishes this is kept."""

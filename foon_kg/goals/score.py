@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.names import BY_TITLE, named_alike
 from foon_kg.goals.recorded import Recorded
-from foon_kg.integration.places import Posts
-from foon_kg.integration.spots import Join
+from foon_kg.integration.joining.places import Posts
+from foon_kg.integration.joining.spots import Join
 from foon_kg.model.drafted import is_draft
 
 _CHANGES = frozenset({"blend", "knead", "shape"})

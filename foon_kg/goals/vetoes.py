@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from foon_kg.food.rows import Dish
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.recorded import Recorded
-from foon_kg.integration.poured_over import is_poured_over
-from foon_kg.integration.spots import Join, Spot
+from foon_kg.integration.composing.poured_over import is_poured_over
+from foon_kg.integration.joining.spots import Join, Spot
 
 
 def vetoes(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.operators import Alike, Attested, Likes, Nearness, Operators, Way
+from foon_kg.integration.teaching.operators import Alike, Attested, Likes, Nearness, Operators, Way
 from foon_kg.model import ObjectNode, shared_node
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.world import Mention, Step

@@ -10,9 +10,9 @@ from foon_kg.food import singular
 from foon_kg.food.parted import parts_asked
 from foon_kg.food.told_states import in_turn
 from foon_kg.integration.bench import Bench, Done, Stuff
-from foon_kg.integration.cooking import Cooking
-from foon_kg.integration.operators import Nearness
-from foon_kg.integration.preparation import Want
+from foon_kg.integration.making.cooking import Cooking
+from foon_kg.integration.preparing.preparation import Want
+from foon_kg.integration.teaching.operators import Nearness
 from foon_kg.model import ObjectNode
 from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.tree import Phase, TreeUnit, leaves_of

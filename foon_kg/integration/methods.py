@@ -9,12 +9,12 @@ from functools import cached_property
 from typing import Protocol
 
 from foon_kg.food import Tables, tables
-from foon_kg.integration.derivation import frames_of
-from foon_kg.integration.frames import Frame
-from foon_kg.integration.layouts import Layout
-from foon_kg.integration.operators import Operators
-from foon_kg.integration.outlines import Outline, Outlines
-from foon_kg.integration.places import Posts
+from foon_kg.integration.joining.layouts import Layout
+from foon_kg.integration.joining.outlines import Outline, Outlines
+from foon_kg.integration.joining.places import Posts
+from foon_kg.integration.teaching.derivation import frames_of
+from foon_kg.integration.teaching.frames import Frame
+from foon_kg.integration.teaching.operators import Operators
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode
 from foon_kg.model.knowledge import KnowledgeView
 

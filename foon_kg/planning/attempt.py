@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from foon_kg.goals.choice import Fit
-from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.final_tree import FinalTree
+from foon_kg.integration.making.cooking import Cooking
 from foon_kg.model import ObjectNode
 from foon_kg.plans.result import PlanResult
 from foon_kg.validation import Report

@@ -11,7 +11,7 @@ from foon_kg.food.techniques import Technique
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.choice import Fit, is_truly
 from foon_kg.goals.score import missing_core, unexplained
-from foon_kg.integration.spots import Join
+from foon_kg.integration.joining.spots import Join
 from foon_kg.model import DISH_TYPES
 from foon_kg.model.errors import UsageError
 

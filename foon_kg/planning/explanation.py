@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from foon_kg.food import singular
-from foon_kg.integration.preparation import Want
-from foon_kg.integration.spots import Join
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import RequiredIngredient
 from foon_kg.model.tree import TreeUnit
 from foon_kg.planning.attempt import Attempt

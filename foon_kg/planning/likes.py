@@ -7,8 +7,8 @@ from array import array
 from collections.abc import Iterable, Mapping, Sequence
 
 from foon_kg.food import singular
-from foon_kg.integration.operators import LIKE_AT_ALL
-from foon_kg.integration.preparation import Want
+from foon_kg.integration.preparing.preparation import Want
+from foon_kg.integration.teaching.operators import LIKE_AT_ALL
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
 from foon_kg.model.recent import Recent

@@ -20,18 +20,18 @@ from foon_kg.food.named import named_by
 from foon_kg.food.parted import parts_asked
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.choice import Fit, fits, refusals, shortlisted
-from foon_kg.integration.apart import apart
 from foon_kg.integration.bench import Bench, RefusedError
-from foon_kg.integration.called import Called, arranged
-from foon_kg.integration.cooking import Cooking
-from foon_kg.integration.course import Plan
+from foon_kg.integration.composing.apart import apart
+from foon_kg.integration.composing.called import Called, arranged
+from foon_kg.integration.composing.parts import parts_of
+from foon_kg.integration.composing.warmed import can_be_blended, can_be_warmed
 from foon_kg.integration.final_tree import FinalTree, final_tree
+from foon_kg.integration.joining.course import Plan
+from foon_kg.integration.joining.places import Joiners, Matcher
+from foon_kg.integration.making.cooking import Cooking
 from foon_kg.integration.methods import Methods, TeachingView
-from foon_kg.integration.named import with_unheeded
-from foon_kg.integration.parts import parts_of
-from foon_kg.integration.places import Joiners, Matcher
-from foon_kg.integration.preparation import as_there, wants_of
-from foon_kg.integration.warmed import can_be_blended, can_be_warmed
+from foon_kg.integration.preparing.preparation import as_there, wants_of
+from foon_kg.integration.unheeded import with_unheeded
 from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.planning.attempt import Attempt

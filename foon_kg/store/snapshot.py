@@ -11,10 +11,10 @@ from itertools import chain
 
 from foon_kg.food import tables
 from foon_kg.food.motion_costs import MotionCosts
-from foon_kg.integration.derivation import frames_of
-from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
-from foon_kg.integration.operators import Operators
+from foon_kg.integration.teaching.derivation import frames_of
+from foon_kg.integration.teaching.frames import Frame
+from foon_kg.integration.teaching.operators import Operators
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Participant, Sighting, Subgraph
 from foon_kg.model.errors import ReadError
 from foon_kg.model.knowledge import KnowledgeView, LikelyGoals, Neighbour, Vocabulary

@@ -2,7 +2,7 @@
 
 Taken from drafts are whole dishes: goals, the units that lead to them, and the frames after which recipes are made. How
 each step is done, with which tools and to which foods, is what the annotated videos say, wherever they say anything
-(:mod:`foon_kg.integration.drafted_operators`); and so are the words by which foods are known.
+(:mod:`foon_kg.integration.teaching.drafted_operators`); and so are the words by which foods are known.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from functools import cached_property
 
 from foon_kg.food import tables
 from foon_kg.food.motion_costs import MotionCosts
-from foon_kg.integration.drafted_operators import DraftedOperators
-from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
+from foon_kg.integration.teaching.drafted_operators import DraftedOperators
+from foon_kg.integration.teaching.frames import Frame
 from foon_kg.loaders.lessons import subgraphs_of
 from foon_kg.model import Goal, KnownUnit, ObjectNode, Sighting
 from foon_kg.model.drafted import Lesson

@@ -12,7 +12,7 @@ from integration import school, videos
 from integration.told import Likes, operators_of
 
 from foon_kg.integration.bench import Bench, RefusedError, foods_of, is_flat
-from foon_kg.integration.operators import Nearness
+from foon_kg.integration.teaching.operators import Nearness
 from foon_kg.world import World
 
 APPLIANCES = """

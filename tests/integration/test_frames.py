@@ -11,9 +11,9 @@ from planner.public_foon import public_snapshot
 from world.kitchen_walk import walks
 
 from foon_kg.food import singular, tables
-from foon_kg.integration.derivation import frame_of, frames_of
-from foon_kg.integration.frames import Line, Slot
 from foon_kg.integration.methods import Methods
+from foon_kg.integration.teaching.derivation import frame_of, frames_of
+from foon_kg.integration.teaching.frames import Line, Slot
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant
 
 TO_BE_MENDED = frozenset({"same food in two", "between two of a kind", "scoop"})

@@ -10,19 +10,19 @@ from integration.school import SNAPSHOT, planned
 from integration.told import KITCHEN, snapshot_of
 
 from foon_kg.food import tables
-from foon_kg.integration.bodies import made_apart
-from foon_kg.integration.coated import coated_alone, coated_apart
-from foon_kg.integration.course import Course, Plan
-from foon_kg.integration.folded import folded, is_folded
-from foon_kg.integration.frames import Line, Stage
-from foon_kg.integration.parts import baked_at_last
-from foon_kg.integration.pots import is_never_heated, unheated, unmixed
-from foon_kg.integration.poured_over import dressed_apart
-from foon_kg.integration.preparation import wants_of
-from foon_kg.integration.serving import Serving
-from foon_kg.integration.spots import Join, Spot
-from foon_kg.integration.techniques import as_a_way_says
-from foon_kg.integration.warmed import garnished, stirred
+from foon_kg.integration.composing.bodies import made_apart
+from foon_kg.integration.composing.coated import coated_alone, coated_apart
+from foon_kg.integration.composing.folded import folded, is_folded
+from foon_kg.integration.composing.parts import baked_at_last
+from foon_kg.integration.composing.pots import is_never_heated, unheated, unmixed
+from foon_kg.integration.composing.poured_over import dressed_apart
+from foon_kg.integration.composing.techniques import as_a_way_says
+from foon_kg.integration.composing.warmed import garnished, stirred
+from foon_kg.integration.joining.course import Course, Plan
+from foon_kg.integration.joining.spots import Join, Spot
+from foon_kg.integration.making.serving import Serving
+from foon_kg.integration.preparing.preparation import wants_of
+from foon_kg.integration.teaching.frames import Line, Stage
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
 from foon_kg.planning.settings import PlanSettings

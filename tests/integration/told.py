@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from foon_kg.integration.operators import Operators
+from foon_kg.integration.teaching.operators import Operators
 from foon_kg.model import Annotation, FunctionalUnit, Participant, Subgraph
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot

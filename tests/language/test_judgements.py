@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from foon_kg.integration.operators import LIKE_AT_ALL
+from foon_kg.integration.teaching.operators import LIKE_AT_ALL
 from foon_kg.loaders import read_paths
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen

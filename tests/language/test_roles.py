@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.integration.operators import LIKE_AT_ALL
+from foon_kg.integration.teaching.operators import LIKE_AT_ALL
 from foon_kg.model.errors import UsageError
 from foon_kg.planning.likes import FoodLikes
 from foon_kg.similarity import cosine_similarity, food_similarity

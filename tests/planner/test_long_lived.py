@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
 
-from foon_kg.integration import operators, places
+from foon_kg.integration.joining import places
+from foon_kg.integration.teaching import operators
 from foon_kg.model import Recipe
 from foon_kg.model.errors import NoTreeError
 from foon_kg.planning import likes, references

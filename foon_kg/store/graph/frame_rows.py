@@ -9,10 +9,10 @@ from dataclasses import fields
 from typing import Any
 
 from foon_kg.food import tables
-from foon_kg.integration.frames import Frame, Line, Slot, Stage
-from foon_kg.integration.layouts import Layout
-from foon_kg.integration.outlines import Outline
-from foon_kg.integration.spots import Post, spots_of
+from foon_kg.integration.joining.layouts import Layout
+from foon_kg.integration.joining.outlines import Outline
+from foon_kg.integration.joining.spots import Post, spots_of
+from foon_kg.integration.teaching.frames import Frame, Line, Slot, Stage
 from foon_kg.model import ObjectNode
 from foon_kg.store.graph.lifting import KIND
 

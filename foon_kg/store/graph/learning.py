@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence, Set
 from typing import Any
 
-from foon_kg.integration.operators import MOST_SIGHTINGS
+from foon_kg.integration.teaching.operators import MOST_SIGHTINGS
 from foon_kg.model import FunctionalUnit, Subgraph
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.frame_rows import Joins, frame_of, slot_foods

@@ -11,9 +11,10 @@ from foon_kg.food.tables import FOODS_VARIABLE, UTENSILS_VARIABLE
 from foon_kg.model import content_key
 from foon_kg.model.kept import code_key
 
-_LEARNT_BY = (
-    "food", "world", "integration", "store/graph/lifting.py", "store/graph/learning.py",
-    "store/graph/frame_rows.py", "store/snapshot.py",
+LEARNT_BY = (
+    "food", "world", "integration/teaching", "integration/joining", "integration/preparing", "integration/bench.py",
+    "integration/methods.py", "store/graph/lifting.py", "store/graph/learning.py", "store/graph/frame_rows.py",
+    "store/snapshot.py",
 )  # fmt: skip
 """The code and the data on which what is learnt depends."""
 
@@ -27,4 +28,4 @@ def methods_key() -> str:
 @cache
 def _program_key() -> str:
     package = resources.files("foon_kg")
-    return code_key(package.joinpath(name) for name in _LEARNT_BY)
+    return code_key(package.joinpath(name) for name in LEARNT_BY)

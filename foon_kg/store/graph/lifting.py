@@ -1,8 +1,8 @@
 """What single units add to the operators of a FOON: rows that the graph adds up, and can take away again.
 
-Everything that operators are done to is a *matter*, called as :class:`~foon_kg.integration.operators.Operators` calls
-it: a food by its name, a kind of food as ``kind:…``, a form as ``form:…``. Whatever an operator is done to, it is done
-to ``ANYTHING``.
+Everything that operators are done to is a *matter*, called as
+:class:`~foon_kg.integration.teaching.operators.Operators` calls it: a food by its name, a kind of food as ``kind:…``, a
+form as ``form:…``. Whatever an operator is done to, it is done to ``ANYTHING``.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from functools import lru_cache
 from typing import Any, TypeVar
 
 from foon_kg.food import tables
-from foon_kg.integration.operators import Evidence, Operators, Way
+from foon_kg.integration.teaching.operators import Evidence, Operators, Way
 from foon_kg.model import FunctionalUnit, KnownUnit, Sighting, content_key
 from foon_kg.store.snapshot import in_plain_order
 

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 
 from foon_kg.food import tables
-from foon_kg.integration.frames import Frame
-from foon_kg.integration.layouts import Layout
+from foon_kg.integration.joining.layouts import Layout
+from foon_kg.integration.joining.outlines import Outline, Outlines
+from foon_kg.integration.joining.places import Posts
+from foon_kg.integration.joining.spots import Post
 from foon_kg.integration.methods import Methods
-from foon_kg.integration.operators import Evidence, Operators, Way
-from foon_kg.integration.outlines import Outline, Outlines
-from foon_kg.integration.places import Posts
-from foon_kg.integration.spots import Post
+from foon_kg.integration.teaching.frames import Frame
+from foon_kg.integration.teaching.operators import Evidence, Operators, Way
 from foon_kg.model import Goal, Sighting
 from foon_kg.model.recent import Recent
 from foon_kg.store.graph.frame_rows import frame_of

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from foon_kg.food import tables
-from foon_kg.integration.operators import LIKE_AT_ALL
+from foon_kg.integration.teaching.operators import LIKE_AT_ALL
 from foon_kg.model.names import canonical
 from foon_kg.similarity.points import Question, question
 from foon_kg.similarity.word_lists import word_lists_key

@@ -8,7 +8,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
-from foon_kg.integration.frames import Frame
+from foon_kg.integration.teaching.frames import Frame
 from foon_kg.model import Subgraph
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph.frame_rows import frame_row

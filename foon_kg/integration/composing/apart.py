@@ -1,0 +1,106 @@
+"""What of a recipe's foods is made apart: its components, and the two parts of what is asked in them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from foon_kg.food import Tables, words
+from foon_kg.food.parted import PART, comes_apart, parts_in
+from foon_kg.food.rows import Dish
+from foon_kg.food.techniques import Technique
+from foon_kg.integration.composing.components import Side, sides_of
+from foon_kg.integration.composing.techniques import technique_for
+from foon_kg.integration.preparing.preparation import SECOND, Want
+from foon_kg.model import Recipe
+
+_PARTED = 5 * SECOND
+
+
+class Apart(NamedTuple):
+    """The foods of a recipe; those of its components (``sides``); what is left (``own``), and the technique for it."""
+
+    foods: tuple[Want, ...]
+    own: tuple[Want, ...]
+    sides: tuple[Side, ...]
+    technique: Technique | None
+
+
+def apart(
+    wants: Sequence[Want],
+    recipe: Recipe,
+    dishes: Sequence[Dish],
+    recorded: Sequence[tuple[str, Collection[str]]],
+    known: Tables,
+    *,
+    baked: bool,
+) -> Apart:
+    """Return how the foods of a recipe are parted. What is asked separated is so where one part is beaten by itself.
+
+    ``dishes`` are those that it is called; ``recorded`` is what the videos of its type make, each with its foods;
+    ``baked``: it comes out of an oven.
+    """
+    foods = tuple(_in_parts(wants, known))
+    found = _parted(foods, recipe, dishes, recorded, baked=baked)
+    if foods == tuple(wants) or _has_foam(found):
+        return found
+    return _parted(tuple(wants), recipe, dishes, recorded, baked=baked)
+
+
+def _parted(
+    foods: tuple[Want, ...],
+    recipe: Recipe,
+    dishes: Sequence[Dish],
+    recorded: Sequence[tuple[str, Collection[str]]],
+    *,
+    baked: bool,
+) -> Apart:
+    """Return what components take of foods, and what is left for which technique."""
+    told = words(recipe.title or "")
+    technique = technique_for(recipe.dish_type, told, foods, recorded)
+    kept = _foam(foods, technique)
+    rest = [want for want in foods if want not in kept]
+    own, sides = sides_of(rest, dishes, recipe.dish_type, recipe.title or "", baked=baked)
+    own = (*own, *kept)
+    left = technique_for(recipe.dish_type, told, own, recorded)
+    if technique is not None and technique.called and left is None and _is_named(sides):
+        return Apart(foods, foods, (), technique)  # it says itself what is put on what
+    return Apart(foods, own, sides, left)
+
+
+def _is_named(sides: Sequence[Side]) -> bool:
+    """Whether a recipe says itself of any food for which part it is."""
+    return any(want.part for side in sides for want in side.wants)
+
+
+def _foam(foods: Sequence[Want], technique: Technique | None) -> tuple[Want, ...]:
+    """Return what is beaten by itself where a technique has a line for it."""
+    return tuple(want for want in foods if technique is not None and want.part == PART in technique.lines)
+
+
+def _in_parts(wants: Sequence[Want], known: Tables) -> Iterator[Want]:
+    """Yield foods, and instead of what is asked separated its two parts; the second as if it were listed last."""
+    last = max((place for want in wants for place in want.places), default=0)
+    beaten = []
+    for want in wants:
+        if not comes_apart(want.facts, want.asked) or want.at_hand:
+            yield want
+            continue
+        last += 2  # nothing stands beside it
+        first, second = (_part(want, label, known) for label in parts_in(want.label))
+        beaten.append(replace(second, number=_PARTED + want.number, part=PART, places=(last,)))
+        yield first
+    yield from beaten
+
+
+def _part(want: Want, label: str, known: Tables) -> Want:
+    facts = known.foods.food(label)
+    return replace(want, label=label, facts=facts, leaf=(want.asked,), storage="", make="", read_as=None, of=want)
+
+
+def _has_foam(found: Apart) -> bool:
+    """Whether what is beaten by itself joins a component, or a line of the technique that is for it."""
+    if any(want.part == PART for side in found.sides for want in side.wants):
+        return True
+    return bool(_foam(found.own, found.technique))

@@ -1,0 +1,168 @@
+"""A dish whose name says how its parts come together is made so, whatever its video does."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from foon_kg.food import Tables, words
+from foon_kg.food.lists import word_list
+from foon_kg.food.named import Named
+from foon_kg.food.rows import Dish
+from foon_kg.food.techniques import Technique
+from foon_kg.integration.composing.bodies import made_apart
+from foon_kg.integration.composing.coated import coated_alone
+from foon_kg.integration.composing.components import Side, with_sides
+from foon_kg.integration.composing.crowned import strewn_under, wedges_last
+from foon_kg.integration.composing.folded import folded, is_folded
+from foon_kg.integration.composing.formed import formed, formed_within, is_formed
+from foon_kg.integration.composing.named import as_named
+from foon_kg.integration.composing.parts import Part, baked_at_last, with_parts
+from foon_kg.integration.composing.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
+from foon_kg.integration.composing.poured_over import dressed_apart
+from foon_kg.integration.composing.pureed import blended_when_done, is_stewed, stewed
+from foon_kg.integration.composing.swelling import is_soaked_up
+from foon_kg.integration.composing.techniques import as_a_way_says, carried_out
+from foon_kg.integration.composing.thickened import sauce_apart
+from foon_kg.integration.composing.warmed import for_many, garnished, is_heated, stirred
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.teaching.frames import Line
+
+
+@dataclass(frozen=True)
+class Called:
+    """What a dish is called: the ``dishes`` of that name, the words of its type and title, its recorded ``goal``.
+
+    ``tin`` is what its batter or dough is baked in. ``baked``: the words say that it comes out of an oven; ``folded``
+    are those by which it may be folded over. ``warms`` and ``blends``: this FOON shows how a drink is heated, and
+    blended. ``technique``: how it is made whatever its video does, ``sides`` are its components. ``asks`` is what its
+    title asks to be done, with the words that do.
+    """
+
+    dishes: Sequence[Dish]
+    told: frozenset[str]
+    goal: str
+    title: str
+    dish_type: str
+    tin: str
+    baked: bool
+    folded: Collection[str]
+    warms: bool
+    blends: bool
+    technique: Technique | None = None
+    sides: Sequence[Side] = ()
+    asks: Sequence[tuple[Named, str]] = ()
+
+    @cached_property
+    def words(self) -> tuple[str, ...]:
+        """The words of its type, and those of its title in their order."""
+        title = words(self.title)
+        return (*sorted(self.told.difference(title)), *title)
+
+    @property
+    def drunk(self) -> bool:
+        """Whether it is a drink."""
+        return self.dish_type in word_list("is drunk")
+
+
+class Arranged(NamedTuple):
+    """How a dish is made: its line, where the foods join, and whether what is boiled in it is eaten with the rest."""
+
+    line: Line
+    joins: tuple[Join, ...]
+    one_pot: bool
+
+
+def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
+    """Return how a dish is made: by the technique that it is called by, else after ``line`` as its name changes it.
+
+    Its components are made beside that, and join it; what its title asks for besides is done at a stage of its own.
+    """
+    made = _arranged(line, joins, parts, called, known)
+    line, joins = with_sides(made.line, made.joins, called.sides, words(called.title), known)
+    line, joins = as_named(line, joins, [one for one, _ in called.asks], known)
+    if called.drunk:
+        line, joins = for_many(line, joins, words(called.title))
+    return Arranged(line, joins, made.one_pot)
+
+
+def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
+    if called.technique is not None:
+        told = words(called.title)
+        line, found = carried_out(called.technique, joins, told, known)
+        return Arranged(line, found, "one pot" in called.technique.plan or is_soaked_up(found, told))
+    line, joins = with_parts(line, joins, parts, called.tin)
+    line, joins = baked_at_last(line, joins, called.title)
+    made, found = as_a_way_says(line, joins, called.dishes, called.words, known)
+    line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, known)
+    if any(dish.laid for dish in called.dishes):
+        joins = strewn_under(line, joins, known)
+    if is_folded(joins, called.folded):
+        line, joins = folded(joins)
+    boiled = not word_list("boils in the dish").isdisjoint(called.told)
+    beside = not any(dish.stacked or dish.baked or dish.formed for dish in called.dishes)
+    line, joins = (
+        _drunk(line, joins, called, known)
+        if called.drunk
+        else wedges_last(line, joins, spooned=boiled, slices_beside=beside)
+    )
+    return _in_the_pot(line, joins, called, known)
+
+
+def _drunk(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    if not is_heated(line) and called.warms:
+        line, joins = as_a_way_says(line, joins, (), called.words, known, when="warmed")
+    if called.blends:
+        line, joins = as_a_way_says(line, joins, (), called.words, known, when="blended")
+    return garnished(*stirred(line, joins), called.told)
+
+
+def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> Arranged:
+    """Return how what is heated in one vessel is made: fried in turn, thickened, stewed or blended."""
+    told = called.told
+    line, joins = unmixed(line, joins)
+    joins = fat_in_the_heat(joins)
+    if not called.tin and word_list("is called battered").isdisjoint(told):
+        line, joins = sauce_apart(line, joins)
+    boiled = not word_list("boils in the dish").isdisjoint(told)
+    soaked = is_soaked_up(joins, words(called.title))
+    one_pot = boiled or soaked or is_stewed(called.title, called.dishes, joins, known)
+    if boiled:
+        cold = is_never_heated(called.dishes, joins, known)
+        line, joins = blended_when_done(line, joins, told, cold=cold)
+    elif one_pot:
+        line, joins = stewed(joins)
+    if is_formed(called.dishes, joins):
+        line, joins = formed_within(line, joins, known)
+    return Arranged(line, tuple(joins), one_pot)
+
+
+def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made whose kind says how its parts come together."""
+    made, found = _shaped(line, tuple(joins), called, known)
+    if made is not line:
+        return made, found
+    dishes, told = called.dishes, called.told
+    dressed = any(dish.dressed for dish in dishes)
+    joins = tuple(joins)
+    if is_never_heated(dishes, joins, known):
+        line, joins = unheated(line, joins)
+    if any(dish.stacked for dish in dishes):
+        line, joins = made_apart(line, joins, told, known, grilled=any(dish.grilled for dish in dishes))
+    elif any(dish.coated for dish in dishes) and not dressed:
+        made, found = as_a_way_says(line, joins, (), called.words, known, when="dipped")
+        if made is line:
+            made, found = coated_alone(line, joins, known, baked=called.baked)
+        if made is line:
+            made, found = as_a_way_says(line, joins, (), called.words, known, when="flesh", baked=called.baked)
+        line, joins = made, found
+    return dressed_apart(line, joins) if dressed else (line, joins)
+
+
+def _shaped(line: Line, joins: tuple[Join, ...], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made that is given its form: by dough around it, in a roll, as balls; else as it is."""
+    if is_formed(called.dishes, joins):
+        return formed(line, joins, called.told, known, called.goal, baked=called.baked)
+    return line, joins

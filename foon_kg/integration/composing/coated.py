@@ -1,0 +1,189 @@
+"""A coating is a part of its own: flesh is turned in what is wet, then in what is dry, and fried."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from foon_kg.food import Tables, tables, words
+from foon_kg.food.lists import word_list
+from foon_kg.integration.joining.course import COATS
+from foon_kg.integration.joining.patterns import BAKE, COOK, MIX, SIMMER, STIR, TOP, TURN
+from foon_kg.integration.joining.places import NATURAL
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.preparing.preparation import Want, owed
+from foon_kg.integration.teaching.frames import Line, Stage
+
+_COATED = word_list("is coated")
+_DRY = word_list("coats dry")
+_WET = word_list("coats wet")
+_WHOLE = word_list("is strewn whole")
+_ROUGH = word_list("coats roughly")
+
+_MIX = replace(MIX, tools=(), vessel="bowl", label="")
+_BATH = replace(_MIX, motion=min(word_list("is turned in by")), does=COATS)
+_FINE = min(word_list("is called so when it is fine"))
+_THICK = min(word_list("is called so when it is beaten"))
+
+_POST = ("mix", "later", True)
+_BESIDE = word_list("is served with what is fried")
+
+
+def coated_alone(
+    line: Line, joins: Sequence[Join], known: Tables, *, baked: bool = False
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return how coated flesh is made that is the dish: coated, fried, and baked under what melts on it.
+
+    ``baked``: it is fried in the oven, as people say. Nothing changes where there is no such flesh, or where something
+    else has to be cooked too.
+    """
+    rough = _any_is(joins, *_ROUGH)
+    kinds = _COATED | word_list("is coated where it is rough") if rough else _COATED
+    flesh = _raw_flesh(joins, kinds)
+    whole = len(flesh) == 1 and is_portion(flesh[0].want, known)
+    wet = any(join.want.facts.is_a("cooking liquid") and not join.want.facts.is_a(*_WET) for join in joins)
+    if len(flesh) != 1 or (_is_shaped(line) and not whole) or _cooks_others(joins, flesh, known):
+        return line, tuple(joins)
+    dusted = _any_is(joins, "flour") and _any_is(joins, "fat") and (whole or not wet)
+    if not (rough or dusted):
+        return line, tuple(joins)
+    if _any_is(joins, *word_list("melts on top")):
+        under = replace(BAKE)
+        below = sorted(joins, key=lambda join: join.want.facts.is_a(*word_list("melts on top")))
+        return coated_apart(Line((under,)), [_at(join, under) for join in below], kinds)
+    if baked and not wet:
+        return _on_a_tray(joins, kinds)
+    sauce = replace(SIMMER if wet else COOK if whole else STIR)  # a fried piece that is stirred falls to pieces
+    return _in_a_sauce(sauce, joins, kinds)
+
+
+def _on_a_tray(joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how flesh is coated and baked; what lies on flesh comes on top."""
+    hot, top = replace(BAKE, vessel="baking tray", relation="on"), replace(TOP)
+    made, found = coated_apart(Line((hot,)), [_at(join, hot) for join in joins], kinds, heats=False)
+    over = word_list("lies on flesh") | _BESIDE
+    last = made.stages[-1]
+    found = tuple(
+        replace(_at(join, top), on_top=True) if join.spot.stage is last and join.want.facts.is_a(*over) else join
+        for join in found
+    )
+    return Line((*made.stages, top)), found
+
+
+def _in_a_sauce(sauce: Stage, joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line in which coated flesh comes into a ``sauce`` of the rest; what lies on flesh comes on top.
+
+    Without a sauce all that coats nothing lies on it.
+    """
+    top = replace(TOP)
+    over = [join for join in joins if join.want.facts.is_a(*word_list("lies on flesh"), *_BESIDE)]
+    rest = [join for join in joins if join not in over]
+    made, found = coated_apart(Line((sauce,)), [_at(join, sauce) for join in rest], kinds)
+    if not any(join.spot.stage is made.stages[-1] for join in found):
+        return coated_apart(Line((top,)), [replace(_at(join, top), on_top=True) for join in joins], kinds)
+    return Line((*made.stages, top)), (*found, *(_at(join, top) for join in over))
+
+
+def _any_is(joins: Sequence[Join], *kinds: str) -> bool:
+    return any(join.want.facts.is_a(*kinds) for join in joins)
+
+
+def _raw_flesh(joins: Sequence[Join], kinds: Collection[str]) -> list[Join]:
+    """Return what is raw of those kinds; minced flesh is mixed with what would coat it, and never turned in that."""
+    raw = [join for join in joins if join.want.facts.is_a(*kinds) and not _is_done(join.want)]
+    return [join for join in raw if not join.want.facts.is_a(*word_list("patties are made of"))]
+
+
+def _is_shaped(line: Line) -> bool:
+    return any("shape" in stage.does for one in _all(line) for stage in one.stages)
+
+
+def _cooks_others(joins: Sequence[Join], flesh: Sequence[Join], known: Tables) -> bool:
+    """Whether something has to be cooked beside the ``flesh`` and what coats it."""
+    others = [join for join in joins if join not in flesh and {"cook", "boil"} & owed(join.want, known)]
+    return any(not join.want.facts.is_a(*_WET, *_DRY) for join in others)
+
+
+def _is_done(want: Want) -> bool:
+    """Whether flesh is asked cooked; where only the title says so (fried chicken), the dish cooks it."""
+    return want.cooked and bool(want.make) and tables().state(want.make).needs_heat
+
+
+def is_portion(want: Want, known: Tables) -> bool:
+    """Whether flesh comes in portions and is not asked cut."""
+    fine = known.state(want.make).fine or 0 if want.make else 0
+    minced = want.facts.is_a(*word_list("patties are made of"))
+    return not minced and fine == 0 and not word_list("is a portion").isdisjoint(words(want.label))
+
+
+def _at(join: Join, stage: Stage) -> Join:
+    return replace(join, spot=replace(join.spot, stage=stage, after=(), side=False), slot=None)
+
+
+def coated_apart(
+    line: Line, joins: Sequence[Join], kinds: Collection[str] = _COATED, *, heats: bool = True
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line and its joins such that raw flesh is coated by itself, where something coats it.
+
+    ``heats``: it is fried then, before it joins.
+    """
+    flesh = _raw_flesh(joins, kinds)
+    dry = [join for join in joins if join.want.facts.is_a(*_DRY)]
+    if len(flesh) != 1 or not dry:
+        return line, tuple(joins)
+    wet = _what_wets(joins, dry)
+    dust = [join for join in dry if not join.want.facts.is_a(*_ROUGH)]  # it lets the wash cling to it
+    if len(dust) == len(dry) or not wet:
+        dust = []
+    wash = Line((replace(_MIX, label=_THICK if _any_is(wet, "egg") else ""),))
+    powder = Line((replace(_MIX, label=_FINE if _any_is(dry, "flour") else ""),))
+    dusted = replace(_BATH)
+    bathed = replace(_BATH, adds=(wash,))
+    rolled = replace(_BATH, adds=(powder,))
+    hot = (replace(COOK), replace(TURN), replace(COOK)) if heats else ()
+    last = line.stages[-1]
+    first = (dusted, bathed) if dust else (bathed,)
+    served = replace(last, adds=(*last.adds, Line((*first, rolled, *hot))))
+    rest = [join for join in (*dry, *_what_seasons(joins)) if join not in dust]
+    places = [(wet, wash.stages[0]), (rest, powder.stages[0]), ([*flesh, *dust], first[0])]
+    places += [(_frying_fat(joins), hot[0])] if hot else []
+    after = (*hot, served)
+    found = []
+    for join in joins:
+        stage = next((stage for some, stage in places if any(one is join for one in some)), None)
+        if stage is not None:
+            want = replace(join.want, cooked=False) if join in flesh else join.want
+            found.append(Join(want, replace(join.spot, stage=stage, post=_POST, after=after, side=True), NATURAL))
+        elif join.spot.stage is last:
+            found.append(replace(join, spot=replace(join.spot, stage=served)))
+        else:
+            found.append(join)
+    return Line((*line.stages[:-1], served)), tuple(found)
+
+
+def _what_wets(joins: Sequence[Join], dry: Sequence[Join]) -> list[Join]:
+    """Return what the wash is mixed of, with what seasons it; what is ``dry`` is none of that."""
+    wet = [join for join in joins if join.want.facts.is_a(*_WET) and join not in dry]
+    seasons = [join for join in joins if join.want.facts.is_a(*word_list("seasons what coats"))]
+    return [*wet, *seasons] if wet else []
+
+
+def _what_seasons(joins: Sequence[Join]) -> list[Join]:
+    """Return what is mixed into the powder: ground spices, and what makes it rise."""
+    spices = [join for join in joins if join.want.facts.is_a("spice") and join.want.facts.is_a("stock")]
+    ground = [join for join in spices if not join.want.facts.is_a("ready", "liquid", *_WHOLE)]
+    return [*ground, *(join for join in joins if join.want.facts.is_a("leaven"))]
+
+
+def _frying_fat(joins: Sequence[Join]) -> list[Join]:
+    """Return the fat in which it is fried: what is liquid, where any is."""
+    fats = [join for join in joins if join.want.facts.is_a("fat")]
+    return [join for join in fats if join.want.facts.is_a("liquid")] or fats
+
+
+def _all(line: Line) -> list[Line]:
+    found = [line]
+    for stage in line.stages:
+        for add in stage.adds:
+            found += _all(add) if isinstance(add, Line) else []
+    return found

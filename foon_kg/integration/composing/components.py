@@ -1,0 +1,254 @@
+"""What a recipe asks for a part of its dish: a glaze, a topping, a sauce, what is strewn on it or served with it.
+
+A component (``food/components.toml``) is a small dish: it is made by itself, and joins what else is made where it
+belongs. Which foods are for it is told by the recipe's own words ("for the glaze"), by its title, and by what is listed
+beside what.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from foon_kg.food import Tables, singular, words
+from foon_kg.food.rows import Dish
+from foon_kg.food.techniques import Around, Component, Foods, Technique, components, works
+from foon_kg.integration.composing.techniques import carried_out, means, stage_of
+from foon_kg.integration.joining.course import HEATS, MIXES
+from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
+from foon_kg.integration.joining.places import NATURAL
+from foon_kg.integration.joining.spots import Join, Spot, only_carries, spots_of
+from foon_kg.integration.preparing.preparation import SECOND, Want
+from foon_kg.integration.teaching.frames import Line, Stage
+
+_NOWHERE = Spot(
+    (), Stage((), "", frozenset(), (), "", "", "", "", "", (), -1), ("top", "never", False), side=False, after=()
+)
+
+
+_HOLDS = ("baked", "dressed", "formed", "laid", "stacked", "tin")
+"""What of a dish a row may ask."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """A component of one recipe with its foods."""
+
+    component: Component
+    wants: tuple[Want, ...]
+
+
+def sides_of(
+    wants: Sequence[Want], dishes: Iterable[Dish], dish_type: str, title: str, *, baked: bool
+) -> tuple[tuple[Want, ...], tuple[Side, ...]]:
+    """Return what is left of the foods of a recipe, and the components that are made beside it.
+
+    ``baked``: its name says that the dish comes out of an oven.
+    """
+    held = {name for name in _HOLDS if any(getattr(dish, name) for dish in dishes)}
+    held |= {"baked"} if baked or "tin" in held else set()
+    finder = _Finder(wants, held, dish_type, words(title))
+    sides = tuple(side for component in components() if (side := finder.side(component)) is not None)
+    return tuple(finder.rest), sides
+
+
+class _Finder:
+    """The foods of one recipe, of which those of each component are taken out: ``rest`` is what is left."""
+
+    def __init__(self, wants: Sequence[Want], held: Collection[str], dish_type: str, told: Sequence[str]) -> None:
+        self.rest = list(wants)
+        self.held = held
+        self.dish_type = dish_type
+        self.told = told
+        self.listed = {place: want for want in wants for place in want.places}
+        self.highest = 3 * SECOND
+
+    def side(self, component: Component) -> Side | None:
+        """Return the foods of a component, which are taken out of the rest; ``None`` where there is none."""
+        technique = component.technique
+        if not self._may_be(technique):
+            return None
+        around = Around([want.facts for want in self.rest], self.told)
+        places = self._places(component, around)
+        if not places or len(places) == len(self.listed):
+            return None
+        found = tuple(dict.fromkeys(self.listed[place] for place in sorted(places)))
+        whole = [want for want in found if places.issuperset(self._left(want))]
+        rest = [want for want in self.rest if want not in whole]
+        if any(means(one, want, around) for one in technique.without for want in self.rest):
+            return None
+        if not _have(technique.needs, found, around) or not _have(component.beside, rest, around):
+            return None
+        self.rest = rest
+        self.listed = {place: want for place, want in self.listed.items() if place not in places}
+        return Side(component, tuple(want if want in whole else self._second(want) for want in found))
+
+    def _may_be(self, technique: Technique) -> bool:
+        """Whether a dish of this type and title may have such a component."""
+        holds = all((name.lstrip("!") in self.held) is not name.startswith("!") for name in technique.dishes)
+        typed = not technique.types or self.dish_type in technique.types
+        return holds and typed and technique.never.isdisjoint(self.told)
+
+    def _left(self, want: Want) -> set[int]:
+        return {place for place, one in self.listed.items() if one is want}
+
+    def _second(self, want: Want) -> Want:
+        self.highest += 1
+        return replace(want, number=self.highest)
+
+    def _places(self, component: Component, around: Around) -> set[int]:
+        """Return the places in the recipe of the foods of a component."""
+        foods = component.body + component.neighbours
+        found = {place for place, want in self.listed.items() if want.part and want.part in component.parts}
+        group = [self.listed[place] for place in found]
+        mixed = bool(component.technique.lines) and any(_are(component.body, want, around) for want in group)
+        if found and component.body and not (mixed and _have(component.technique.needs, group, around)):
+            found = {place for place in found if _are(foods, self.listed[place], around)}
+        elif not found and component.guessed and component.technique.is_called(self.dish_type, self.told):
+            bodies = [place for place, want in self.listed.items() if _are(component.body, want, around)]
+            found = {place for place in bodies[-1:] if not self.listed[place].part}
+        if not found and component.again and component.technique.is_called(self.dish_type, self.told):
+            return self._listed_again(component, around)
+        return self._with_neighbours(found, component, around) if found else found
+
+    def _listed_again(self, component: Component, around: Around) -> set[int]:
+        """Return the places around a food that a recipe lists a second time, once all else of its dish is named."""
+        for place in self._once_more(component, around):
+            found = self._with_neighbours({place}, component, around)
+            if _have(component.technique.needs, [self.listed[one] for one in found], around):
+                return found
+        return set()
+
+    def _once_more(self, component: Component, around: Around) -> list[int]:
+        """Return where foods that begin a component are listed again, once all that it comes after was."""
+        last = max((place for place, want in self.listed.items() if _are(component.after, want, around)), default=-1)
+        seen: set[str] = set()
+        found = []
+        for place, want in sorted(self.listed.items()):
+            again = singular(want.label) in seen and not want.part
+            if 0 <= last < place and again and _are(component.again, want, around):
+                found.append(place)
+            seen.add(singular(want.label))
+        return found
+
+    def _with_neighbours(self, places: set[int], component: Component, around: Around) -> set[int]:
+        """Return places with those after them, and before them if need be, of foods that belong to the same."""
+        found, needs = set(places), component.technique.needs
+        for start in sorted(places):
+            place = start + 1
+            while self._belongs(place, component, around):
+                found.add(place)
+                place += 1
+        place = min(found) - 1
+        while self._belongs(place, component, around) and (
+            _are(component.body, self.listed[place], around)
+            or not _have(needs, [self.listed[one] for one in found], around)
+        ):
+            found.add(place)
+            place -= 1
+        return found
+
+    def _belongs(self, place: int, component: Component, around: Around) -> bool:
+        want = self.listed.get(place)
+        return want is not None and not want.part and _are(component.neighbours, want, around)
+
+
+def _are(foods: Sequence[Foods], want: Want, around: Around) -> bool:
+    return any(means(one, want, around) for one in foods)
+
+
+def _have(needs: Sequence[Sequence[Foods]], wants: Sequence[Want], around: Around) -> bool:
+    """Whether of each list one food is there."""
+    return all(any(_are(need, want, around) for want in wants) for need in needs)
+
+
+def with_sides(
+    line: Line, joins: Sequence[Join], sides: Sequence[Side], told: Sequence[str], known: Tables
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that each component joins, and the joins with those of its foods."""
+    for side in sides:
+        line, joins = _with_side(line, joins, side, told, known)
+    return line, tuple(joins)
+
+
+def _with_side(
+    line: Line, joins: Sequence[Join], side: Side, told: Sequence[str], known: Tables
+) -> tuple[Line, Sequence[Join]]:
+    component = side.component
+    own = [Join(want, _NOWHERE, NATURAL - 0.01) for want in side.wants]
+    target = stage_of(component.by)
+    found: Sequence[Join] = own
+    if component.technique.lines:
+        made, found = carried_out(component.technique, own, told, known)
+        target = replace(target, adds=(made,))
+    whole, at, became = _folded(line, target, side, joins) or _attached(line, target, component.at)
+    if at is not target:
+        became[id(target)] = at
+    spots = {id(spot.stage): spot for spot in spots_of(whole)}
+    on_top, layer = works()[component.by].on_top, -1 if component.at == "under" else 0
+
+    def moved(join: Join) -> Join:
+        if join.spot is _NOWHERE:
+            return replace(join, spot=spots[id(at)], on_top=on_top, layer=layer)
+        return replace(join, spot=spots.get(id(became.get(id(join.spot.stage), join.spot.stage)), join.spot))
+
+    return whole, [moved(join) for join in (*joins, *found)]
+
+
+def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return a line with ``target`` at its place, that stage there, and by identity what became of others."""
+    stages = line.stages
+    baked = [place for place, stage in enumerate(stages) if stage.does >= {"dry", "heat"}]
+    shapes = [stage for stage in line.all_stages() if "shape" in stage.does and "heat" not in stage.does]
+    if at == "shaped" and shapes:
+        became: dict[int, Stage] = {}
+        return _with_next(line, shapes[-1], target, became), target, became
+    if at in {"before", "shaped"} and baked:
+        heat = stages[baked[-1]]
+        laid = replace(heat, motion="", does=frozenset(), appliance="", source="", label="", states=())
+        target = replace(target, vessel=heat.vessel, relation=heat.relation)
+        heat = replace(heat, adds=())
+        fresh = (*stages[: baked[-1]], laid, target, heat, *stages[baked[-1] + 1 :])
+        return Line(fresh), target, {id(stages[baked[-1]]): laid}
+    mixing = next((stage for stage in line.all_stages() if not stage.does.isdisjoint({"mix", "knead"})), None)
+    if at == "mixed" and mixing is not None:
+        whole, became = with_line(line, mixing, next(add for add in target.adds if isinstance(add, Line)))
+        return whole, became[id(mixing)], became
+    if at == "under" and baked:
+        tin = stages[baked[0]].vessel
+        return line, next(stage for stage in stages if stage.vessel == tin), {}
+    rest = stages[-1:] if only_carries(stages[-1]) else ()
+    done = stages[: len(stages) - len(rest)]
+    cool = () if at != "cooled" or (done and "wait" in done[-1].does) else (stage_of("cool"),)
+    return Line((*done, *cool, *rest, target)), target, {}
+
+
+def _folded(
+    line: Line, target: Stage, side: Side, joins: Sequence[Join]
+) -> tuple[Line, Stage, dict[int, Stage]] | None:
+    """Return a line in which one part of a food comes to the other where that is mixed last before it is heated.
+
+    ``None`` where ``side`` is no such part.
+    """
+    whole_foods = [want.of for want in side.wants if want.of is not None]
+    beside = [join for join in joins if join.want.of in whole_foods]
+    if not beside:
+        return None
+    spot = beside[0].spot
+    cold = list(itertools.takewhile(lambda stage: stage.does.isdisjoint(HEATS), (spot.stage, *spot.after)))
+    mixing = next((stage for stage in reversed(cold) if not stage.does.isdisjoint(MIXES)), None)
+    became: dict[int, Stage] = {}
+    if mixing is None:
+        (add,) = target.adds
+        whole, became = with_line(line, spot.stage, add if isinstance(add, Line) else Line((target,)))
+        return whole, became[id(spot.stage)], became
+    target = replace(target, vessel=mixing.vessel, relation=mixing.relation, label=mixing.label or target.label)
+    return _with_next(line, mixing, target, became), target, became
+
+
+def _with_next(line: Line, stage: Stage, target: Stage, became: dict[int, Stage]) -> Line:
+    """Return a line in which ``target`` comes next after a stage, in whichever line that is."""
+    own = line_with(line, stage)
+    place = next(place for place, one in enumerate(own.stages, start=1) if one is stage)
+    return with_replaced(line, own, Line((*own.stages[:place], target, *own.stages[place:])), became)

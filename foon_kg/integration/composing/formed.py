@@ -1,0 +1,210 @@
+"""Balls, patties and cakes: what holds together is mixed, shaped, and then fried, baked or simmered."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from foon_kg.food import Food, Tables, singular
+from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Dish
+from foon_kg.integration.joining.course import HEATS
+from foon_kg.integration.joining.patterns import (
+    BAKE,
+    COOK,
+    MIX,
+    SHAPE,
+    SIMMER,
+    TOP,
+    TURN,
+    WHISK,
+    fresh,
+    put_at,
+    with_line,
+)
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.preparing.preparation import as_mixed
+from foon_kg.integration.teaching.frames import Line, Stage
+
+_SAUCE = word_list("is a sauce around a mass")
+_FINE = 3
+"""As finely as this (chopped, grated) vegetables are cut that go into a mass."""
+
+
+def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
+    """Whether a dish is called so that balls, patties or cakes are in it, and no bread around them."""
+    carried = any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins)
+    other = any(dish.dressed or (dish.stacked and carried) for dish in dishes)
+    return any(dish.formed for dish in dishes) and not other
+
+
+def formed(
+    line: Line, joins: Sequence[Join], told: frozenset[str], known: Tables, goal: str, *, baked: bool
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return how balls, patties or cakes are made that are the dish: mixed, shaped, cooked, and simmered in a sauce.
+
+    ``told`` are the words of type and title, ``goal`` is what the recorded dish is called; ``baked``: it comes out of
+    an oven. Nothing changes where there is nothing to be shaped, or where balls are but a part of the dish: with pasta,
+    in a soup.
+    """
+    mass = _Mass(joins, known)
+    part = any(join.want.facts.is_a(*word_list("is eaten with a sauce")) and not mass.holds(join) for join in joins)
+    if not mass.main or part or not word_list("boils in the dish").isdisjoint(told):
+        return line, tuple(joins)
+    mix, shape, heat, turn, done, sauce, top, whisk = fresh(MIX, SHAPE, COOK, TURN, COOK, SIMMER, TOP, WHISK)
+    shape = replace(shape, label=_portions(told))
+    heat = replace(heat, adds=(Line((mix, shape)),), label=goal)
+    wet = [join for join in joins if mass.is_sauce(join)]
+    tops = [join for join in joins if mass.lies_on_it(join)]
+    if baked and not wet:
+        heat = replace(BAKE, adds=heat.adds, vessel="baking tray", relation="on")
+        stages: tuple[Stage, ...] = (heat,)
+    else:
+        stages = (heat, turn, done, sauce) if wet else (heat, turn, done)
+    smooth = mass.smoothed(wet)
+    if smooth:
+        sauce = replace(sauce, adds=(Line((whisk,)),))
+        stages = (*stages[:-1], sauce)
+    whole = Line((*stages, top))
+    fats = [join for join in joins if join.want.facts.is_a("fat")]
+    own = [join for join in joins if mass.is_of_mass(join, alone=False)]
+    places = [(own, mix), (fats, heat), (tops, top), (smooth, whisk), (wet, sauce)]
+    at = {join.want.number: next((stage for some, stage in places if join in some), mix) for join in joins}
+    joins = [replace(join, want=as_mixed(join.want, known)) if at[join.want.number] is mix else join for join in joins]
+    return put_at(whole, joins, lambda join: at[join.want.number])
+
+
+def _portions(told: frozenset[str]) -> str:
+    """Return what shaped portions are called in a dish that is ``told`` of in these words."""
+    balls = word_list("is called so in balls")
+    return min(word_list("is called so in portions") if told.isdisjoint(map(singular, balls)) else balls)
+
+
+def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made in which balls are cooked with the rest: they are mixed and shaped before they join."""
+    mass = _Mass(joins, known)
+    meets = mass.main[0].spot.stage if mass.main else None
+    if meets is None or meets.does.isdisjoint(HEATS) or "dry" in meets.does:
+        return line, tuple(joins)
+    mix, shape = fresh(MIX, replace(SHAPE, label=min(word_list("is called so in balls"))))
+    own = [join for join in joins if mass.is_of_mass(join, alone=False)]
+    whole, became = with_line(line, meets, Line((mix, shape)))
+    stages = {id(join.want): became.get(id(join.spot.stage), join.spot.stage) for join in joins}
+    moved, found = put_at(whole, joins, lambda join: mix if join in own else stages[id(join.want)])
+    kept = {id(join.want): join for join in joins}
+    return moved, tuple(
+        join if join.spot.stage is mix else replace(kept[id(join.want)], spot=join.spot) for join in found
+    )
+
+
+class _Mass:
+    """What of a recipe's foods is mixed to be shaped."""
+
+    def __init__(self, joins: Sequence[Join], known: Tables) -> None:
+        self.known = known
+        self.joins = joins
+        self.main = self._main()
+        facts = [join.want.facts for join in joins]
+        self.bound = any(one.is_a(*word_list("binds patties")) for one in facts)
+        self.begin = self._begin()
+        self.wet = any(_runs_around(join.want.facts) and not self._soaks_what_binds(join) for join in joins)
+
+    def _main(self) -> list[Join]:
+        for words_of in ("patties are made of", "is shaped too", "is shaped when it is mashed"):
+            found = [join for join in self.joins if join.want.facts.is_a(*word_list(words_of))]
+            if found:
+                return found
+        return []
+
+    def _begin(self) -> float:
+        """Return the place in the recipe at which what is cooked around the mass begins."""
+        first = min((place for join in self.main for place in join.want.places), default=0)
+        wet = [join.want for join in self.joins if _runs_around(join.want.facts) and not self._soaks_what_binds(join)]
+        wet = [want for want in wet if want.places and min(want.places) > first]
+        main = [want for want in wet if want.facts.is_of(*word_list("is the body of a sauce"))]
+        wet = [want for want in wet if not want.facts.is_a(*word_list("is mixed into a mass"))]
+        return min((min(want.places) for want in main or wet), default=math.inf)
+
+    def holds(self, join: Join) -> bool:
+        """Whether raw grain is shaped with the rest and done in the sauce, before which it is listed."""
+        facts = join.want.facts
+        early = bool(join.want.places) and min(join.want.places) < self.begin < math.inf
+        return early and facts.kind in word_list("is done inside a mass") and not join.want.cooked
+
+    def _is_beside_binder(self, join: Join) -> bool:
+        """Whether a recipe lists a food right before or after the crumbs that bind a mass."""
+        binders = [one.want for one in self.joins if one.want.facts.is_a(*word_list("is soaked to bind"))]
+        return any(abs(mine - other) == 1 for one in binders for mine in join.want.places for other in one.places)
+
+    def _is_listed_after(self, join: Join) -> bool:
+        """Whether a recipe lists a food after that with which the sauce begins, as it does what belongs to that."""
+        facts = join.want.facts
+        late = bool(join.want.places) and min(join.want.places) > self.begin
+        return late and join not in self.main and not facts.is_a("fat", "egg", *word_list("is soaked to bind"))
+
+    def _is_listed_before(self, join: Join) -> bool:
+        """Whether a recipe lists what seasons a mass before the sauce begins."""
+        early = bool(join.want.places) and min(join.want.places) < self.begin < math.inf
+        return early and join.want.facts.is_a(*word_list("seasons a mass"))
+
+    def _fine(self, join: Join) -> int:
+        states = (join.want.make, *join.want.leaf)
+        return max((self.known.state(state).fine or 0 for state in states if state), default=0)
+
+    def is_of_mass(self, join: Join, *, alone: bool) -> bool:
+        """Whether a food is mixed with what is shaped; ``alone``: there is nothing else that it could belong to."""
+        facts = join.want.facts
+        if facts.is_a(*word_list("is taken out of the dish")) or self.lies_on_it(join) or self._is_listed_after(join):
+            return False
+        held = facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass")) or self.holds(join)
+        if join in self.main or held or self._soaks_what_binds(join) or self._is_listed_before(join):
+            return True
+        if facts.is_a("fat") or _runs_around(facts):
+            return False
+        if facts.is_a(*word_list("binds a mass or a sauce")):
+            return not self.wet
+        if facts.is_a(*word_list("is bound with it")):
+            return not self.bound and not alone
+        small = self._fine(join) >= _FINE
+        return alone and (small or not facts.is_a("vegetable"))
+
+    def _soaks_what_binds(self, join: Join) -> bool:
+        """Whether a liquid is for the crumbs that bind a mass: listed beside them, or if another one is the sauce."""
+        if not (self.bound and join.want.facts.kind in word_list("soaks what binds")):
+            return False
+        if self._is_beside_binder(join):
+            return True
+        others = [one.want.facts for one in self.joins if one is not join]
+        drunk = join.want.facts.is_a(*word_list("makes a sauce only when it is bound"))
+        loose = drunk and not any(one.is_a(*word_list("binds a mass or a sauce")) for one in others)
+        return loose or any(_runs_around(one) for one in others)
+
+    def is_sauce(self, join: Join) -> bool:
+        """Whether a food is cooked around what was shaped."""
+        facts = join.want.facts
+        if facts.is_a("fat") or self.lies_on_it(join) or self.is_of_mass(join, alone=False):
+            return False
+        if _runs_around(facts) or self._is_listed_after(join):
+            return True
+        return self.wet and not self.is_of_mass(join, alone=True)
+
+    def smoothed(self, wet: Sequence[Join]) -> list[Join]:
+        """Return what of a sauce is whisked before it comes to what is hot: flour, and a liquid that is poured."""
+        binds = [join for join in wet if join.want.facts.is_a(*word_list("binds a mass or a sauce"))]
+        liquids = [join for join in wet if join.want.facts.is_of(*word_list("smooths what binds a sauce"))]
+        liquids = [join for join in liquids if join.want.facts.is_a("liquid", "water")]
+        return [*binds, liquids[0]] if binds and liquids else []
+
+    def lies_on_it(self, join: Join) -> bool:
+        """Whether a food comes on what is done, or beside it."""
+        facts = join.want.facts
+        if self._is_listed_before(join):
+            return False
+        wedge = facts.is_a(*word_list("is a wedge beside it")) and not join.want.squeezed
+        return wedge or facts.is_a(*word_list("is served with what is fried"), "topping")
+
+
+def _runs_around(facts: Food) -> bool:
+    """Whether a food is cooked around what was shaped; of juices those that are drunk."""
+    return facts.is_of(*_SAUCE) or facts.kind in word_list("is a sauce around a mass, and its kinds are not")

@@ -1,0 +1,255 @@
+"""What is no part of a batter or dough: frosting, glaze, crumble and toppings, made apart and put on it in time."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from foon_kg.food import Tables, singular, words
+from foon_kg.food.lists import word_list
+from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
+from foon_kg.integration.joining.places import NATURAL
+from foon_kg.integration.joining.spots import Join, Spot, only_carries
+from foon_kg.integration.preparing.preparation import SECOND, Want
+from foon_kg.integration.teaching.frames import Line, Slot, Stage
+
+
+@dataclass(frozen=True)
+class Part:
+    """Foods that are put on a dish by ``motion``, ``mixed`` before if need be.
+
+    ``baked``: before it is baked; ``under``: in its tin, before all else.
+    """
+
+    wants: tuple[Want, ...]
+    motion: str
+    baked: bool = False
+    mixed: bool = True
+    under: bool = False
+
+
+def parts_of(
+    wants: Sequence[Want], dish_type: str, title: str, repeated: Collection[str], known: Tables, *, strewn: bool = False
+) -> tuple[tuple[Want, ...], tuple[Part, ...]]:
+    """Return what is baked of the foods of a recipe, and the parts that are put on it.
+
+    ``repeated`` are the names that a recipe lists twice: what of them belongs to a part is a second portion.
+    ``strewn``: what is strewn on it was found already.
+    """
+    if not any(dish.tin for dish in known.dishes_named(dish_type, title)):
+        return tuple(wants), ()
+    found: tuple[Part, ...] = ()
+    if is_of_dough(wants):
+        found = tuple(Part((want,), "", baked=True) for want in _on_dough(wants))
+    if is_of_dough(wants) or is_of_batter(wants):
+        told = frozenset(words(title)) - (word_list("is strewn on") if strewn else frozenset())
+        found += tuple(_Parted(wants, told, repeated).parts())
+    taken = {want.number for part in found for want in part.wants}
+    rest = tuple(want for want in wants if want.number not in taken)
+    return (rest, found) if rest else (tuple(wants), ())
+
+
+def _on_dough(wants: Sequence[Want]) -> list[Want]:
+    lies = [want for want in wants if want.facts.is_a(*word_list("lies on dough"))]
+    return [want for want in lies if not want.facts.is_a(*word_list("is kneaded in"))]
+
+
+class _Parted:
+    """The foods of one recipe that makes a batter, by what they may be for.
+
+    ``fine`` is sugar ground to powder, ``sweet`` other sugar, ``solid`` the fat that is creamed.
+    """
+
+    def __init__(self, wants: Sequence[Want], told: frozenset[str], repeated: Collection[str]) -> None:
+        self.wants = wants
+        self.told = told
+        self.repeated = repeated
+        self.fine = self._are("sweetens a cover")
+        self.sweet = [want for want in self._are("sweetens a batter") if want not in self.fine]
+        self.fats = [want for want in wants if want.facts.is_a("fat")]
+        self.solid = self._are("is creamed")
+        self.numbers = 2 * SECOND
+
+    def _are(self, words_of: str) -> list[Want]:
+        return [want for want in self.wants if want.facts.is_a(*word_list(words_of))]
+
+    def _promised(self, words_of: str) -> bool:
+        return not self.told.isdisjoint(word_list(words_of))
+
+    def parts(self) -> Iterator[Part]:
+        """Yield the parts in the order in which they are put on."""
+        if self._promised("is strewn on") and self.solid and self.sweet:
+            dry = [self._second(want) for want in self.wants if want.facts.is_a("flour")][:1]
+            sweet = self.sweet[-1] if len(self.sweet) > 1 else self._second(self.sweet[0])
+            fat = self.solid[0] if len(self.fats) > 1 else self._second(self.solid[0])
+            yield Part((*self._are("is coarse in what is strewn on")[:1], *dry, sweet, fat), "", baked=True)
+        base = self._are("is pressed to a base")
+        if base and self.solid and self._are("body of a cover"):
+            yield Part((base[0], self.solid[0]), "", under=True)
+        cover = self._cover()
+        coat = () if cover else self._coat()
+        if cover:
+            yield Part(cover, _motion("covers what is baked"))
+        elif coat:
+            yield Part(coat, "")
+        tops = self._are("is put on what is baked")
+        if tops:
+            yield Part(tuple(tops), _motion("covers what is baked"), mixed=False)
+        if not cover and not coat and self.fine and self.sweet:
+            yield Part((self.fine[0],), _motion("dusts what is baked"))
+
+    def _second(self, want: Want) -> Want:
+        """Return a second portion of a food."""
+        self.numbers += 1
+        return replace(want, number=self.numbers)
+
+    def _is_twice(self, want: Want) -> bool:
+        return singular(want.label) in self.repeated
+
+    def _cover(self) -> tuple[Want, ...]:
+        """Return what is mixed and spread: fine sugar, or a second portion of sugar, with what is soft or creamed."""
+        soft = self._are("body of a cover") if any(want.facts.is_a("leaven") for want in self.wants) else []
+        solid = self.solid[:1]
+        again = [self._second(want) for want in self.sweet if self._is_twice(want)][:1]
+        if not again and len(self.sweet) > 1 and solid and self._is_twice(solid[0]):
+            again = self.sweet[-1:]
+        sweet = self.fine[:1] if self.fine and self.sweet else again if soft else []
+        if solid and self._is_twice(solid[0]):
+            solid = [self._second(solid[0])]
+        elif len(self.fats) == 1:
+            solid = []  # it is the batter's
+        return (*soft[:1], *solid, *sweet) if sweet and (soft or solid) else ()
+
+    def _coat(self) -> tuple[Want, ...]:
+        """Return what is stirred to be poured on, where the title promises it: fine sugar with a liquid to spare."""
+        if not self.fine or not self.sweet or not self._promised("is glazed"):
+            return ()
+        sour = [want for want in self._are("thins a coat") if want.squeezed or want.facts.is_a("liquid")]
+        wet = sour or self._are("is liquid in a batter")[1:]
+        return (*self.fine[:1], *wet[:1]) if wet else ()
+
+
+def _motion(words_of: str) -> str:
+    return min(word_list(words_of))
+
+
+def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part], tin: str) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line with a stage for each part, and the joins with those of the parts."""
+    stages, found = list(line.stages), list(joins)
+    for part in parts:
+        if part.under:
+            stages, found = _on_base(stages, found, part, tin)
+            continue
+        place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), None) if part.baked else None
+        mixing = _stage("mix", "bowl", ()) if part.mixed and len(part.wants) > 1 else None
+        adds = (Line((mixing,)),) if mixing is not None else ()
+        if place is None:
+            if stages[-1].step >= 0:
+                stages.append(_stage("cool down", "plate", ()))  # on what is hot it would melt
+            stages.append(_stage(part.motion, "plate", adds))
+            target = stages[-1]
+        elif adds:
+            old = stages[place]
+            target = stages[place] = replace(old, adds=(*old.adds, *adds))
+            found = [_moved(join, old, target) for join in found]
+        else:
+            target = stages[place]
+        own = mixing or target
+        spot = Spot(
+            path=(len(stages), 0) if mixing else (len(stages),),
+            stage=own,
+            post=("top", "before", False),
+            side=False,
+            after=(),
+        )
+        for want in part.wants:
+            slot = Slot(singular(want.label), want.facts.kind, want.leaf, (), part.motion) if mixing is None else None
+            found.append(Join(want, spot, NATURAL - 0.01, slot if part.motion else None))
+    return Line(tuple(stages)), tuple(found)
+
+
+def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tuple[list[Stage], list[Join]]:
+    """Return stages in which the batter comes onto a base that was pressed in the tin."""
+    place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), len(stages))
+    mixing = _stage("mix", "bowl", ())
+    pressed = Stage((Line((mixing,)),), "press", frozenset({"shape"}), (), tin, "in", "", "", "", (), -1)
+    before = (Line(tuple(stages[:place])),) if place else ()
+    old = stages[place] if place < len(stages) else _cold("chill")
+    new = replace(old, adds=(*before, *old.adds), vessel=tin, relation="in")
+    spot = Spot(path=(0, 0), stage=mixing, post=("mix", "later", True), side=True, after=(pressed, new))
+    moved = [_moved(join, old, new) for join in joins]
+    moved += [Join(want, spot, NATURAL - 0.01) for want in part.wants]
+    return [pressed, new, *stages[place + 1 :]], moved
+
+
+def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that ends in the oven, with what is browned there on top, where the title asks for it.
+
+    What boils in its dish never ends there, whatever else its title names: a baked potato soup is a soup.
+    """
+    stages = list(line.stages)
+    hot = [stage for stage in stages if "heat" in stage.does]
+    boils = not word_list("boils in the dish").isdisjoint(words(title))
+    told = not boils and not word_list("is baked at last").isdisjoint(words(title))
+    bakes = [stage for stage in hot if "dry" in stage.does]
+    if bakes:
+        return line, _strewn_on(bakes[-1], stages, _browned_on(bakes[-1], stages, joins) if told else joins)
+    if not told or not hot or any(stage.appliance == "oven" for stage in hot):
+        return line, tuple(joins)
+    taken = {id(join.spot.stage) for join in joins}
+    while only_carries(stages[-1]) and id(stages[-1]) not in taken and not any(True for _ in stages[-1].adds):
+        stages.pop()
+    does = frozenset({"dry", "heat"})
+    last = Stage((), "bake", does, (), "baking dish", "in", "oven", "heat", "", ("baked",), -1)
+    spot = Spot(path=(len(stages),), stage=last, post=("bake", "now", False), side=False, after=())
+    tops = [join for join in joins if join.want.facts.is_a(*word_list("is browned on top"))]
+    found = (replace(join, spot=spot, slot=None) if join in tops and len(tops) < len(joins) else join for join in joins)
+    return Line((*stages, last)), tuple(found)
+
+
+def _browned_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> tuple[Join, ...]:
+    """Let cheese and crumbs come on what is baked last of all, where there is something below.
+
+    Where flour makes a sauce for pasta, the cheese belongs to that.
+    """
+    spot = _spot_of(bakes, stages)
+    facts = [one.want.facts for one in joins]
+    sauce = any(one.is_a("flour") for one in facts) and any(
+        one.is_a(*word_list("is eaten with a sauce")) for one in facts
+    )
+    tops = [one for one in joins if one.want.make and one.want.facts.is_a(*word_list("is browned on top"))]
+    tops = [one for one in tops if not (sauce and one.want.facts.is_a(*word_list("melts on top")))]
+    return tuple(replace(one, spot=spot, slot=None) if one in tops and len(tops) < len(joins) else one for one in joins)
+
+
+def _spot_of(bakes: Stage, stages: Sequence[Stage]) -> Spot:
+    place = next(number for number, stage in enumerate(stages) if stage is bakes)
+    return Spot((place,), bakes, ("bake", "now", False), side=False, after=tuple(stages[place + 1 :]))
+
+
+def _strewn_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> tuple[Join, ...]:
+    """Let crumbs come on what is baked, where they neither coat nor bind anything."""
+    bound = any(
+        join.want.facts.is_a("egg", *word_list("is coated")) and "ready" not in join.want.facts.traits for join in joins
+    )
+    boiled = any(join.want.facts.is_a(*word_list("is eaten with a sauce"), "vegetable") for join in joins)
+    if bound or not boiled:
+        return tuple(joins)
+    spot = _spot_of(bakes, stages)
+    strewn = word_list("is strewn on what is baked")
+    return tuple(replace(one, spot=spot, slot=None) if one.want.facts.is_a(*strewn) else one for one in joins)
+
+
+def _cold(motion: str) -> Stage:
+    return Stage((), motion, frozenset({"wait"}), (), "", "in", "refrigerator", "cold", "", (), -1)
+
+
+def _moved(join: Join, old: Stage, new: Stage) -> Join:
+    return replace(join, spot=replace(join.spot, stage=new)) if join.spot.stage is old else join
+
+
+def _stage(motion: str, vessel: str, adds: tuple[Line, ...]) -> Stage:
+    mixes = motion == "mix"
+    does = frozenset({"mix"} if mixes else {"wait"} if motion in word_list("cools") else {"coat", "move"})
+    relation, tools = ("in", ("spoon",)) if mixes else ("on", ())
+    return Stage(adds, motion, does, tools, vessel, relation, "", "", "", (), -1)

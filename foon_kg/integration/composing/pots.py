@@ -1,0 +1,118 @@
+"""What a video heats though the dish is called so that it is cold, and what it mixes cold that has to fry in turn."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Dish
+from foon_kg.integration.joining.course import HEATS
+from foon_kg.integration.joining.places import NATURAL
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.preparing.preparation import owed
+from foon_kg.integration.teaching.frames import Line, Stage
+
+_MIXES = frozenset({"coat", "fetch", "mix", "move", "scatter", "whip"})
+
+
+def is_never_heated(dishes: Collection[Dish], joins: Sequence[Join], known: Tables) -> bool:
+    """Whether a dish is called so that it is cold, and nothing in it has to be cooked."""
+    raw = any({"cook", "boil"} & owed(join.want, known) or join.want.cooked for join in joins)
+    return not raw and any(dish.heated is False and not dish.is_type for dish in dishes)
+
+
+def unheated(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line without its stages over the heat; what would join there joins what is left before, or after."""
+    kept = tuple(stage for stage in line.stages if stage.does.isdisjoint(HEATS))
+    if not kept or len(kept) == len(line.stages):
+        return line, tuple(joins)
+    became: dict[int, Stage] = {}
+    last = kept[0]
+    for stage in line.stages:
+        last = stage if stage in kept else last
+        became[id(stage)] = last
+    return Line(kept), tuple(_at(join, became.get(id(join.spot.stage), join.spot.stage), kept) for join in joins)
+
+
+def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line without its stages that mix cold what is fried then: noodles with a sauce, flesh with a liquid.
+
+    A cook fries each in its turn, and tosses with it what was boiled. Nothing changes where eggs or flour bind it.
+    """
+    hot = next((place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)), 0)
+    pan, before, rest = line.stages[hot], line.stages[:hot], line.stages[hot + 1 :]
+    cold = bool(before) and all(stage.does <= _MIXES for stage in before)
+    if not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does or not _is_fried_in_turn(joins):
+        return line, tuple(joins)
+    kept = tuple(add for one in before for add in one.adds if isinstance(add, Line) and _heats(add))
+    staying = [stage for add in kept for stage in add.all_stages()]
+    gone = [stage for one in before for stage in Line((one,)).all_stages() if stage not in staying]
+    fresh = replace(pan, adds=(*kept, *pan.adds))
+    found = tuple(_in_the_pan(join, pan, fresh, gone, rest) for join in joins)
+    return Line((fresh, *rest)), found
+
+
+def _is_fried_in_turn(joins: Sequence[Join]) -> bool:
+    """Whether foods are boiled for a sauce, or flesh is stewed in a liquid, and nothing binds them."""
+    facts = [join.want.facts for join in joins]
+    wet = word_list("is cooked in for long") | word_list("is poured into the pan")
+    flesh = any(one.is_a(*word_list("is flesh")) and "cook" in one.owes for one in facts)
+    stewed = flesh and any(one.is_of(*wet) for one in facts)
+    boiled = any(one.is_a(*word_list("is eaten with a sauce")) for one in facts)
+    bound = any(one.is_a("dough", "egg", "flour") or (one.is_a("creamy") and not stewed) for one in facts)
+    return (boiled or stewed) and not bound
+
+
+def _in_the_pan(join: Join, pan: Stage, fresh: Stage, gone: Sequence[Stage], rest: tuple[Stage, ...]) -> Join:
+    """Return a join that comes into ``fresh``, if it joined the ``pan`` or a stage that is gone; else it stays."""
+    spot = join.spot
+    if spot.stage is pan or any(spot.stage is one for one in gone):
+        return replace(join, spot=replace(spot, stage=fresh, after=rest, side=False), slot=None)
+    after = tuple(fresh if stage is pan else stage for stage in spot.after if not any(stage is g for g in gone))
+    return replace(join, spot=replace(spot, after=after))
+
+
+def fat_in_the_heat(joins: Sequence[Join]) -> tuple[Join, ...]:
+    """Return the joins with fat as hard as it is sold where things are heated, and not where they are mixed cold.
+
+    Nothing changes where fat is creamed or rubbed in: with sugar, or with flour that is not fried.
+    """
+    if any(join.want.facts.is_a("dough", "leaven", *word_list("sweetens a batter")) for join in joins):
+        return tuple(joins)
+    hot = next((stage for join in joins for stage in join.spot.after if not stage.does.isdisjoint(HEATS)), None)
+    if hot is not None and "dry" in hot.does and any(join.want.facts.is_a("flour") for join in joins):
+        return tuple(joins)
+    return tuple(_in_the_heat(join) if _is_mixed_hard(join) else join for join in joins)
+
+
+def _is_mixed_hard(join: Join) -> bool:
+    facts, stage = join.want.facts, join.spot.stage
+    hard = facts.is_a("fat") and not facts.is_a("creamy", "liquid") and join.want.asked not in word_list("runs")
+    return hard and bool(stage.does & {"mix"}) and stage.does <= _MIXES
+
+
+def _in_the_heat(join: Join) -> Join:
+    spot = join.spot
+    place = next((n for n, stage in enumerate(spot.after) if not stage.does.isdisjoint(HEATS)), None)
+    if place is None:
+        return join
+    spot = replace(spot, stage=spot.after[place], after=spot.after[place + 1 :], side=False)
+    return replace(join, spot=spot, slot=None)
+
+
+def _heats(line: Line) -> bool:
+    return any(not stage.does.isdisjoint(HEATS) for stage in line.all_stages())
+
+
+def _at(join: Join, stage: Stage, stages: Sequence[Stage]) -> Join:
+    place = next((n for n, one in enumerate(stages) if one is stage), None)
+    if place is None or (stage is join.spot.stage and stages[place + 1 :] == join.spot.after):
+        return join
+    spot = replace(join.spot, stage=stage, after=tuple(stages[place + 1 :]))
+    return (
+        replace(join, spot=spot, fit=min(join.fit, NATURAL))
+        if stage is not join.spot.stage
+        else replace(join, spot=spot)
+    )

@@ -1,0 +1,186 @@
+"""A dressing is a part of its own: what makes one is mixed in a bowl and comes over the rest, whatever a video did."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+
+from foon_kg.food import tables
+from foon_kg.food.lists import word_list
+from foon_kg.integration.joining.course import HEATS
+from foon_kg.integration.joining.places import NATURAL
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.preparing.preparation import Want
+from foon_kg.integration.teaching.frames import Line, Slot, Stage
+
+_PARTS = word_list("is poured over")
+_BODY = word_list("is the body of what is poured over")
+_FINE = 4
+"""As finely as this (minced, grated, mashed) some foods are cut that only give a dressing their taste."""
+
+_SPRAYS = word_list("sprays")
+_WHEN_FINE = word_list("is poured over when it is fine")
+
+_LEAST = 2
+"""Of how many foods that run a dressing is made."""
+
+_BY_HAND = frozenset({"coat", "mash", "mix", "move", "scatter", "whip"})
+
+_BOILS = frozenset({"heat", "liquid", "move", "separate"})
+"""What is only boiled for a cold dish is boiled by itself."""
+
+_MIXING = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
+
+
+def is_poured_over(want: Want, slot: Slot | None = None) -> bool:
+    """Whether a food is what dressings are made of: it runs, it seasons, or only its juice is taken."""
+    if want.facts.kind in _SPRAYS:
+        return False
+    if want.facts.is_a(*_WHEN_FINE) and want.asked and (tables().state(want.asked).fine or 0) >= _FINE:
+        return True
+    return want.squeezed or want.facts.is_a(*_PARTS) or (slot is not None and "juice" in slot.states)
+
+
+def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line and its joins such that the dressing is mixed by itself and comes over what it dresses.
+
+    They are returned as they are where there is nothing to mix, or where a machine makes the recorded dressing.
+    """
+    parts = [join for join in joins if is_poured_over(join.want, join.slot)]
+    place = _last_mixing(line, [join for join in joins if join not in parts])
+    if place is None:
+        return line, tuple(joins)
+    beside = list(_beside(line))
+    if not _has_enough_to_pour(parts, beside):
+        boiled = {id(stage) for stage in beside if stage.does <= _BOILS}
+        last, later = line.stages[place], line.stages[place + 1 :]
+        apart = (_apart(join, last, later) if id(join.spot.stage) in boiled else join for join in joins)
+        return _at_once(line, place, tuple(apart), parts)
+    cold = {id(stage) for stage in beside if _is_cold(stage)}
+    return _tossed(line, place, joins, parts, cold)
+
+
+def _is_cold(stage: Stage) -> bool:
+    """Whether a stage is done by hand, or is only boiled for what is eaten cold."""
+    return stage.does <= _BY_HAND or stage.does <= _BOILS
+
+
+def _has_enough_to_pour(parts: Sequence[Join], beside: Sequence[Stage]) -> bool:
+    """Whether ``parts`` are enough for a dressing, and no machine makes the recorded one ``beside`` the dish."""
+    runs = [join for join in parts if not _only_seasons(join)]
+    body = any(join.want.facts.is_a(*_BODY) for join in runs)
+    by_machine = {id(stage) for stage in beside if not _is_cold(stage)}
+    own = all(join.slot is not None and id(join.spot.stage) in by_machine for join in runs)
+    return len(runs) >= _LEAST and body and not own
+
+
+def _tossed(
+    line: Line, place: int, joins: Sequence[Join], parts: Sequence[Join], cold: Collection[int]
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that gathers foods up to ``place``, mixes the dressing of ``parts``, and tosses all with it.
+
+    ``cold`` are the stages beside it (by ``id``) whose foods come to the others by themselves.
+    """
+    last, later = line.stages[place], line.stages[place + 1 :]
+    before = {id(one): _without_work(one) for one in line.stages[: place + 1] if _is_mixing(one)}
+    gathered = before[id(last)] = _without_work(last)
+    over = replace(_MIXING, step=last.step)
+    mixes = last if {"mix"} <= last.does and "mash" not in last.does else _plain(last)
+    tossed = replace(mixes, adds=(Line((over,)),))
+    found = []
+    for join in joins:
+        stage = join.spot.stage
+        if join in parts:
+            spot = replace(join.spot, stage=over, after=(tossed,), side=True)
+            found.append(replace(join, spot=spot, fit=min(join.fit, NATURAL)))
+        elif (still := before.get(id(stage))) is not None:
+            found.append(replace(join, spot=replace(join.spot, stage=still)))
+        elif id(stage) in cold or (join.slot is None and "blend" in stage.does):
+            found.append(_apart(join, gathered, (tossed, *later)))
+        else:
+            found.append(join)
+    joined = {id(join.spot.stage) for join in found}
+    first = [before.get(id(one), one) for one in line.stages[:place] if one.does != {"wait"} or id(one) in joined]
+    return Line((*first, gathered, tossed, *later)), tuple(found)
+
+
+def _at_once(line: Line, place: int, joins: tuple[Join, ...], parts: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line at whose mixing at ``place`` all comes together that a video mixes and cools for a dressing before.
+
+    There is no dressing where none of ``parts`` joins it. What is mashed there is left alone.
+    """
+    kept: list[Stage] = []
+    gone: list[Stage] = []
+    for stage in line.stages[:place]:
+        here = [join for join in joins if join.spot.stage is stage]
+        dresses = any(join in parts for join in here)
+        mashed = "mash" in stage.does and any(_is_mashed_there(join) for join in here)
+        by_hand = stage.does <= _BY_HAND and bool(stage.does & {"mix", "mash", "whip"})
+        (gone if (by_hand and not dresses and not mashed) or stage.does == {"wait"} else kept).append(stage)
+    beside = any(isinstance(add, Line) and _joins(add, joins) for stage in gone for add in stage.adds)
+    if not gone or beside:
+        return line, joins
+    last, later = line.stages[place], line.stages[place + 1 :]
+    moved = (_apart(join, last, later) if any(join.spot.stage is one for one in gone) else join for join in joins)
+    return Line((*kept, *line.stages[place:])), tuple(moved)
+
+
+def _is_mashed_there(join: Join) -> bool:
+    """Whether a food is what the video mashes there, or is of its kind."""
+    soft = join.want.facts.is_a(*word_list("can be mashed"))
+    return soft and join.slot is not None and join.slot.kind == join.want.facts.kind
+
+
+def _joins(line: Line, joins: Sequence[Join]) -> bool:
+    """Whether any food joins a line."""
+    stages = {id(stage) for stage in _stages(line)}
+    return any(id(join.spot.stage) in stages for join in joins)
+
+
+def _plain(stage: Stage) -> Stage:
+    return replace(stage, motion=_MIXING.motion, does=_MIXING.does, tools=())
+
+
+def _only_seasons(join: Join) -> bool:
+    facts = join.want.facts
+    return facts.is_a("spice", "herb") and not facts.is_a("ready", "liquid", *_BODY)
+
+
+def _apart(join: Join, stage: Stage, after: tuple[Stage, ...]) -> Join:
+    """Return a join that comes to a stage by itself, and is cooked by itself if it has to be."""
+    return Join(join.want, replace(join.spot, stage=stage, after=after, side=False), min(join.fit, NATURAL))
+
+
+def _is_mixing(stage: Stage) -> bool:
+    return "mix" in stage.does and stage.does <= _BY_HAND
+
+
+def _without_work(stage: Stage) -> Stage:
+    """Return a stage at which foods only come together: they are mixed once the dressing is there."""
+    return replace(stage, motion="", does=frozenset())
+
+
+def _last_mixing(line: Line, rest: Sequence[Join]) -> int | None:
+    """Return the place of the last stage at which something but the dressing joins cold, and is mixed."""
+    found, mixed = None, False
+    for number, stage in enumerate(line.stages):
+        if not stage.does.isdisjoint(HEATS):
+            found, mixed = None, False
+        stages = {id(one) for one in _stages(Line((stage,)))}
+        joins = any(id(join.spot.stage) in stages and not join.want.facts.is_a("topping") for join in rest)
+        mixes = _is_mixing(stage)
+        if joins and (mixes or (stage.does <= {"move", "scatter"} and not mixed)):
+            found, mixed = number, mixes
+    return found
+
+
+def _beside(line: Line) -> Iterator[Stage]:
+    for stage in line.stages:
+        for add in stage.adds:
+            if isinstance(add, Line):
+                yield from _stages(add)
+
+
+def _stages(line: Line) -> Iterator[Stage]:
+    yield from line.stages
+    yield from _beside(line)

@@ -1,0 +1,90 @@
+"""What is drunk: whether its video heats it, how it is stirred in its glass, and what comes on top of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from foon_kg.food import tables, words
+from foon_kg.food.lists import word_list
+from foon_kg.integration.joining.course import MIXES, WORKS
+from foon_kg.integration.joining.patterns import MIX, STIR
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.teaching.frames import Line, Stage
+from foon_kg.integration.teaching.operators import Operators
+
+_GLASS = replace(MIX, motion="stir", vessel="drinking glass", label="")
+_SLICES = word_list("is a slice on a glass")
+
+
+def is_heated(line: Line) -> bool:
+    """Whether the video itself heats something on an appliance, or takes something that was heated."""
+    heats = any("heat" in stage.does and stage.source == "heat" for stage in line.all_stages())
+    return heats or any(slot.cooked for slot in line.all_slots())
+
+
+def can_be_warmed(operators: Operators) -> bool:
+    """Whether any video stirs something over the heat."""
+    return (STIR.motion, STIR.tools) in operators.ways.get("heat", ())
+
+
+def can_be_blended(operators: Operators) -> bool:
+    """Whether any video blends something."""
+    return bool(operators.ways.get("blend"))
+
+
+def stirred(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that ends with stirring what is poured together in a glass, where nothing of it mixes them."""
+    for stage in line.all_stages():
+        comers = [join for join in joins if stage in (join.spot.stage, *join.spot.after)]
+        if len(comers) > 1 and not stage.does.isdisjoint(MIXES):
+            return line, tuple(joins)
+    if any(not stage.does.isdisjoint(WORKS) and stage.source for stage in line.all_stages()):
+        return line, tuple(joins)
+    last = line.stages[-1]
+    stir = replace(_GLASS, step=last.step, vessel=last.vessel if is_served_in(last.vessel) else _GLASS.vessel)
+    found = (replace(join, spot=replace(join.spot, stage=stir, after=(), side=False)) for join in joins)
+    return Line((stir,)), tuple(found)
+
+
+def for_many(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that ends in a jug where its title says that it is made for many: one glass does not hold it."""
+    if word_list("is made for many").isdisjoint(told):
+        return line, tuple(joins)
+    stages = {id(stage): _in_a_jug(stage) for stage in line.stages}
+    found = []
+    for join in joins:
+        after = tuple(stages.get(id(stage), stage) for stage in join.spot.after)
+        spot = replace(join.spot, stage=stages.get(id(join.spot.stage), join.spot.stage), after=after)
+        found.append(replace(join, spot=spot))
+    return Line(tuple(stages.values())), tuple(found)
+
+
+def _in_a_jug(stage: Stage) -> Stage:
+    return replace(stage, vessel=min(word_list("holds what is made for many"))) if is_served_in(stage.vessel) else stage
+
+
+def is_served_in(label: str) -> bool:
+    """Whether people drink out of a vessel."""
+    row = tables().utensil(label) if label else None
+    return row is not None and row.group in word_list("is drunk from")
+
+
+def garnished(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line at whose end slices and leaves come on top of what is drunk, where nothing says they are in it."""
+    last = line.stages[-1]
+    found = [join for join in joins if _is_garnish(join)]
+    if not word_list("is muddled or blended").isdisjoint(told) or len(found) in {0, len(joins)}:
+        return line, tuple(joins)
+    top = replace(last, adds=(), motion="", does=frozenset(), tools=(), label="")
+    at_top = (
+        replace(join, spot=replace(join.spot, stage=top, after=(), side=False), slot=None, on_top=True)
+        for join in found
+    )
+    rest = [join for join in joins if join not in found]
+    return Line((*line.stages, top)), (*rest, *at_top)
+
+
+def _is_garnish(join: Join) -> bool:
+    cut = not word_list("garnishes a glass").isdisjoint({join.want.asked, *words(join.want.label)[-1:]})
+    return join.want.facts.is_a(*word_list("is a leaf on a glass")) or (cut and join.want.facts.is_a(*_SLICES))

@@ -1,0 +1,220 @@
+"""Frames as places: what joins where, worked out once for every question."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.food import Food, Level, Tables, singular
+from foon_kg.food.lists import word_list
+from foon_kg.integration.joining.batters import Batter, batter_of
+from foon_kg.integration.joining.spots import Post, Spot, only_carries, spots_of
+from foon_kg.integration.teaching.frames import Frame, Slot
+
+MAIN = word_list("is the main part")
+
+
+@dataclass(frozen=True)
+class Place:
+    """A slot with its stage, what it is of all that dishes of its type need, and whether it is the main part."""
+
+    slot: Slot
+    spot: Spot
+    needs: frozenset[str]
+    main: bool = False
+
+    @cached_property
+    def key(self) -> tuple[str, str]:
+        """The food of the slot and its kind: what decides which foods may take its place."""
+        return self.slot.food, self.slot.kind
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """A frame as places: worked out once, whatever is asked.
+
+    ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
+    ``bound`` is where foods are mixed that are then shaped as one, and ``pan`` where they are cooked; eggs are
+    beaten at ``beaten`` that set by dry heat. ``laid`` is where foods are laid on dough that is rolled out, before it
+    is baked. ``turned`` is where what was fried on both sides is served. ``batter`` is where a batter comes together.
+    ``past`` is where other foods join a dish that is boiled and
+    drained, and no more. ``raw``: something in it is never cooked that has to be. ``dry``: there is nothing like a soup
+    in it. ``made`` has what the dish makes on its way, by its words, whether that is a dough and is shaped, and the
+    stage that takes it.
+    """
+
+    frame: Frame
+    spots: tuple[Spot, ...]
+    places: tuple[Place, ...]
+    open: tuple[Spot, ...]
+    drained: frozenset[int]
+    past: Spot | None
+    bound: Spot | None
+    beaten: Spot | None
+    pan: Spot | None
+    laid: Spot | None
+    turned: Spot | None
+    batter: Batter | None
+    heats: bool
+    dry: bool
+    raw: bool
+    made: tuple[tuple[frozenset[str], bool, bool, str, Spot], ...]
+
+    @cached_property
+    def posts(self) -> tuple[Post, ...]:
+        """The posts of its places, each once."""
+        return tuple(dict.fromkeys(place.spot.post for place in self.places))
+
+    @cached_property
+    def apart(self) -> tuple[Spot, ...]:
+        """Where foods without a slot may join: what its video mashes is mashed, and nothing else with it."""
+        apart = (spot for spot in self.open if "mash" not in spot.stage.does or "heat" in spot.stage.does)
+        return tuple(apart) or self.open
+
+    @cached_property
+    def cold_lines(self) -> Mapping[tuple[int, ...], frozenset[str]]:
+        """The side lines that are made of several foods and without heat, and what is done in each."""
+        found = {}
+        for line in dict.fromkeys(
+            spot.path[: place + 1] for spot in self.spots for place in range(1, len(spot.path), 2)
+        ):
+            stages = [spot.stage for spot in self.spots if spot.path[: len(line)] == line]
+            does = frozenset().union(*(stage.does for stage in stages))
+            if "heat" not in does and sum(1 for stage in stages for _ in stage.slots) > 1:
+                found[line] = does
+        return found
+
+    @cached_property
+    def hottest(self) -> int:
+        """How often what joins first is heated; at least 1."""
+        return max(1, *(spot.heats for spot in self.spots))
+
+    @classmethod
+    def of(cls, frame: Frame, known: Tables) -> Layout:
+        """Return the layout of a frame."""
+        spots = tuple(spots_of(frame.line))
+        needs = {need for dish in known.dishes_named(frame.dish_type) for needs in dish.needs for need in needs}
+        places = []
+        for spot in spots:
+            for slot in spot.stage.slots:
+                food = known.foods.food(slot.food)
+                met = frozenset(need for need in needs if is_need(need, food))
+                places.append(Place(slot, spot, met, bool(met) and food.is_a(*MAIN)))
+        drained = frozenset(id(spot) for spot in spots if _is_drained(spot, known))
+        laid = _laid(spots, known)
+        bound = _bound(spots) if laid is None else None
+        return cls(
+            frame,
+            spots,
+            tuple(places),
+            tuple(spot for spot in spots if _is_open(spot, known)),
+            drained,
+            _past(spots, drained),
+            bound,
+            _beaten(spots, known),
+            _pan(spots, bound),
+            laid,
+            _turned(spots),
+            batter_of(spots, known),
+            any("heat" in spot.stage.does for spot in spots if not spot.side),
+            not any("liquid" in spot.stage.does or "water" in spot.kinds for spot in spots),
+            any(_stays_raw(place, frame.dish_type, known) for place in places),
+            tuple(_made(spots, known)),
+        )
+
+
+def _is_open(spot: Spot, known: Tables) -> bool:
+    """Whether foods without a slot may join at a stage: not where a batter or dough is only baked in its tin."""
+    if not spot.stage.adds:
+        return False
+    if spot.post[0] != "bake":
+        return True
+    return any(not known.foods.food(slot.food, slot.states).is_a("fat", "flour") for slot in spot.stage.slots)
+
+
+def _made(spots: Sequence[Spot], known: Tables) -> Iterator[tuple[frozenset[str], bool, bool, str, Spot]]:
+    for spot in spots:
+        label = singular(spot.stage.label)
+        facts = known.foods.food(label)
+        if label and spot.after and facts.is_a("made", "dough"):
+            following = next(other for other in spots if other.stage is spot.after[0])
+            shaped = spot.post[0] == "shape"
+            yield frozenset(label.split()), facts.is_a("dough"), shaped, spot.stage.label, following
+
+
+def _is_drained(spot: Spot, known: Tables) -> bool:
+    """Whether what is liquid runs out later: the whole comes into a strainer."""
+    rows = (known.utensil(stage.vessel) for stage in spot.after if stage.vessel)
+    return any(row is not None and "strain" in row.can for row in rows)
+
+
+def _bound(spots: Sequence[Spot]) -> Spot | None:
+    """Return the stage at which the mass of patties is mixed, in a dish that is made of such."""
+    for number, spot in enumerate(spots):
+        if spot.post[0] == "shape" and spot.heats_later and "heat" not in spot.stage.does:
+            before = [one for one in spots[:number] if one.stage.adds and one.post[0] == "mix" and one.heats_later]
+            return before[-1] if before else None
+    return None
+
+
+def _beaten(spots: Sequence[Spot], known: Tables) -> Spot | None:
+    """Return the stage at which eggs are beaten that set by dry heat, in what is no batter."""
+    for spot in spots:
+        foods = [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots]
+        eggs = any(food.is_a("egg") for food in foods) and not any(food.is_a("flour", "leaven") for food in foods)
+        if eggs and spot.post[:2] == ("mix", "later") and not any("liquid" in stage.does for stage in spot.after):
+            return spot
+    return None
+
+
+def _pan(spots: Sequence[Spot], bound: Spot | None) -> Spot | None:
+    """Return the stage at which what was shaped is cooked first."""
+    if bound is None:
+        return None
+    return next((spot for spot in spots if "heat" in spot.stage.does and spot.stage in bound.after), None)
+
+
+def _turned(spots: Sequence[Spot]) -> Spot | None:
+    """Return where a dish is served that is made of a mass and fried on both sides."""
+    turns = any("turn" in spot.stage.does for spot in spots if not spot.side or spot.heats_later)
+    mixes = any(spot.post[0] == "mix" and spot.heats_later for spot in spots)
+    return spots[-1] if turns and mixes and only_carries(spots[-1].stage) else None
+
+
+def _laid(spots: Sequence[Spot], known: Tables) -> Spot | None:
+    """Return the last stage at which something comes onto dough that is rolled out, before it is done."""
+    found, dough, shaped = None, False, False
+    for spot in (one for one in spots if not one.side):
+        slots = [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots]
+        if spot.post[0] == "shape" and dough and spot.heats_later and not slots:
+            shaped, found = True, None
+        elif shaped and slots and spot.heats_later and any(not food.is_a("fat", "flour") for food in slots):
+            found = spot
+        dough = dough or any(food.is_a("flour", "dough") for food in slots)
+    return found
+
+
+def _stays_raw(place: Place, dish_type: str, known: Tables) -> bool:
+    """Whether nobody ever cooks what has to be cooked: the video leaves it out, or it was not followed."""
+    slot, spot = place.slot, place.spot
+    facts = known.foods.food(slot.food, slot.states)
+    due = any(facts.owes.get(name) is Level.FATAL for name in ("cook", "boil"))
+    done = bool(slot.cooked) or any({"cook", "boil"} & known.state(state).earns for state in slot.states)
+    eased = any(not dish.eases.isdisjoint({facts.kind, *facts.kinds}) for dish in known.dishes_named(dish_type))
+    return due and not done and not eased and not spot.heats_later
+
+
+def _past(spots: Sequence[Spot], drained: frozenset[int]) -> Spot | None:
+    """Return the last stage of a dish that is only carried on once it is drained."""
+    after = [spot for spot in spots if not spot.side and id(spot) not in drained]
+    before = [spot for spot in spots if not spot.side and id(spot) in drained]
+    return after[-1] if before and after and all(only_carries(spot.stage) for spot in after) else None
+
+
+def is_need(need: str, food: Food) -> bool:
+    """Whether a food is of the very kind or trait that a dish needs; a word in its name does not count."""
+    scheme, _, name = need.rpartition(":")
+    if scheme == "trait":
+        return name in food.traits
+    return name in food.kinds if scheme == "kind" else food.name == name

@@ -1,0 +1,94 @@
+"""Where foods join: the stages of a frame as spots, and the join of one asked food at one of them.
+
+Stages of different dishes are compared by their *post*: what is done to the whole there, whether it is heated then or
+later, and whether they are the dish's own line or one that joins it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.integration.preparing.preparation import Want
+from foon_kg.integration.teaching.frames import Line, Slot, Stage
+
+Post = tuple[str, str, bool]
+"""What is done (``blend``, ``knead``, ``mix``, ``heat``, ``bake``, ``boil``, ``shape``, ``rest``, ``top``), when it is
+heated (``now``, ``later``, ``before``, ``never``), and whether the line joins another one."""
+
+_WORKS = (
+    ("blend", {"blend"}), ("knead", {"knead"}), ("bake", {"dry"}), ("boil", {"liquid"}), ("heat", {"heat", "warm"}),
+    ("shape", {"shape"}), ("mix", {"mix", "whip", "mash"}), ("rest", {"wait"}),
+)  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Spot:
+    """One stage of a frame with its line, and what comes after it. ``path`` are places in nested lines."""
+
+    path: tuple[int, ...]
+    stage: Stage
+    post: Post
+    side: bool
+    after: tuple[Stage, ...]
+
+    @cached_property
+    def heats_later(self) -> bool:
+        """Whether the whole is heated here or later."""
+        return self.heats > 0
+
+    @cached_property
+    def heats(self) -> int:
+        """How often the whole is heated, here and later."""
+        return sum("heat" in stage.does for stage in (self.stage, *self.after))
+
+    @cached_property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of the foods that join here."""
+        return tuple(slot.kind for slot in self.stage.slots)
+
+
+def spots_of(
+    line: Line, *, side: bool = False, after: tuple[Stage, ...] = (), path: tuple[int, ...] = ()
+) -> Iterator[Spot]:
+    """Yield every stage of a line and of those that join it, in the order of execution."""
+    for place, stage in enumerate(line.stages):
+        later = (*line.stages[place + 1 :], *after)
+        for number, add in enumerate(stage.adds):
+            if isinstance(add, Line):
+                yield from spots_of(add, side=True, after=(stage, *later), path=(*path, place, number))
+        before = any("heat" in one.does for one in line.stages[:place])
+        yield Spot((*path, place), stage, _post(stage, later, before=before, side=side), side, later)
+
+
+def _post(stage: Stage, later: Sequence[Stage], *, before: bool, side: bool) -> Post:
+    work = next((name for name, does in _WORKS if not stage.does.isdisjoint(does)), "top")
+    if "heat" in stage.does:
+        when = "now"
+    elif any("heat" in one.does for one in later):
+        when = "later"
+    else:
+        when = "before" if before else "never"
+    return work, when, side
+
+
+@dataclass(frozen=True)
+class Join:
+    """Where one asked food joins, how well that fits (0 to 1), and the slot that it takes, if one is natural.
+
+    ``layer`` is its place among others that are laid on dough: from below to above, below 0 under all
+    else in its tin. ``on_top``: it only lies on the dish.
+    """
+
+    want: Want
+    spot: Spot
+    fit: float
+    slot: Slot | None = None
+    layer: int = 0
+    on_top: bool = False
+
+
+def only_carries(stage: Stage) -> bool:
+    """Whether a stage brings the dish to where it is served, or only adds to it."""
+    return all(stage.does.isdisjoint(does) for _, does in _WORKS)

@@ -1,0 +1,269 @@
+"""How a dish is finished that its video leaves open: dressed once it is drained, or put together on bread."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
+from foon_kg.integration.joining.course import WORKS, Plan
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.making.carrying import Carrier
+from foon_kg.integration.making.stages import Stages
+from foon_kg.integration.making.working import Worker
+from foon_kg.integration.preparing.preparation import Ready
+from foon_kg.integration.teaching.frames import Stage
+from foon_kg.integration.teaching.operators import Way
+
+_SLICES = word_list("carries what is stacked")
+_CREAMY = word_list("binds pieces")
+_SEASONS = word_list("seasons pieces")
+_LAYERS = word_list("is a layer")
+_CLOSES = word_list("closes what is stacked")
+_SMEARED = word_list("is smeared on it")
+_MIXED = "mixture"
+_SHAPED = "shaped"
+_SMALL = 3
+"""How fine pieces are that are bound by something creamy (chopped, flaked)."""
+
+
+class Serving:
+    """Finishes one dish on a bench. ``ready`` are the prepared foods by the numbers of what was asked."""
+
+    def __init__(self, bench: Bench, plan: Plan, carry: Carrier, work: Worker, ready: Mapping[int, Ready]) -> None:
+        self.bench = bench
+        self.known: Tables = bench.known
+        self.plan = plan
+        self.carry = carry
+        self.work = work
+        self.ready = ready
+
+    def is_put_together(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
+        """Whether this is where a stacked dish is put together: what it is stacked on joins, or what no video has."""
+        works = any(not one.does.isdisjoint(WORKS) for one in (stage, *later))
+        return not works and any(join.slot is None or join.want.facts.is_a(*_SLICES) for join in joins)
+
+    def stack(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], lines: Sequence[Vessel]) -> Vessel:
+        """Put a dish together on a plate and return what it is on.
+
+        Bread comes first and what is spread on it, then what was made and the rest, and bread again; a spread with
+        pieces is mixed before. What is fried as a whole gets its fat in the pan.
+        """
+        plate = self.bench.vessel("plate") if vessel is None or not is_flat(vessel.label) else vessel
+        slices = [join for join in joins if join.want.facts.is_a(*_SLICES)]
+        fats = [join for join in joins if self.plan.grilled and join.want.facts.is_a("fat")]
+        rest = [join for join in joins if join not in slices and join not in fats]
+        bowl = self.bench.vessel("bowl")
+        mixed = self._mix_what_binds(rest, bowl)
+        below = [one for one in (*lines, None if plate is vessel else vessel) if one is not None]
+        mixed += self._stirred_in(below, [join for join in rest if join not in mixed])
+        closing = [join for join in slices if self._lay_below(join, plate)]
+        smeared = [join for join in rest if join not in mixed and self._is_smeared(join)]
+        for join in smeared:
+            self._smear(join, plate)
+        for one in (*below, bowl):
+            if one.contents:
+                self.bench.heat_off(one)
+                self.carry.transfer(one, plate, stage)
+        self._lay_on(plate, [join for join in rest if join not in mixed and join not in smeared])
+        for join in closing:
+            self._bring(join, plate)
+        self.work.name(plate, self.plan.label)
+        self._close(plate)
+        return self._heat_through(plate, fats, stage) if self.plan.grilled else plate
+
+    def _mix_what_binds(self, joins: Sequence[Join], bowl: Vessel) -> list[Join]:
+        """Mix pieces with the spread that binds them in a bowl; return what is mixed there."""
+        mixed = self._bound(joins)
+        for join in mixed:
+            self._bring(join, bowl)
+        if len(mixed) > 1:
+            self.bench.work(bowl, self.work.stirring(foods_of(bowl)), _MIXED, ("mixed",), with_device=False)
+        return mixed
+
+    def _lay_on(self, plate: Vessel, joins: Sequence[Join]) -> None:
+        """Lay foods on what is on a plate, first what melts on it; fat that came along in what was made is there."""
+        there = frozenset().union(*(stuff.wants for stuff in plate.contents))
+        for join in sorted(joins, key=lambda join: not join.want.facts.is_a(*word_list("melts on what is hot"))):
+            if not (join.want.facts.is_a("fat") and join.want.number in there):
+                self._bring(join, plate)
+
+    def _close(self, plate: Vessel) -> None:
+        """Roll or fold bread around what lies on it, where the dish is called so and the FOON shows how."""
+        foods = foods_of(plate)
+        ways = [way for way in self.bench.operators.ways_of(self.plan.closed_by) if not way[1]]
+        attested = self.bench.attest(ways, foods) or self.bench.far(ways, foods)
+        if attested is not None:
+            able = self.known.motion(attested.way[0]).gives  # how the motion is called, it is then: rolled
+            own = sorted(state for state in able if state.startswith(attested.way[0]))
+            self.bench.work(plate, attested, self.plan.label, tuple(own[:1]), with_device=False)
+
+    @staticmethod
+    def in_layers(joins: Sequence[Join]) -> list[Join]:
+        """Return what joins a stage, in the order in which it is laid on dough."""
+        return sorted(joins, key=lambda join: join.layer)
+
+    def _lay_below(self, join: Join, plate: Vessel) -> bool:
+        """Lay bread on a plate; return whether some of it is left, to be laid on top."""
+        ready = self.ready[join.want.number]
+        cut = any((self.known.state(state).fine or 0) > 0 for state in ready.stuff.states)
+        if ready.stuff.at is plate or not (cut and join.want.facts.is_a(*_CLOSES)):
+            self._bring(join, plate)
+            return False
+        self.carry.bring_part(ready, plate)
+        return True
+
+    def _is_smeared(self, join: Join) -> bool:
+        """Whether a food is spread on bread: it is creamy, or fat that is no liquid."""
+        facts = join.want.facts
+        return facts.is_a(*_CREAMY, *_SMEARED) or (facts.is_a("fat") and not facts.is_a("liquid"))
+
+    def _smear(self, join: Join, plate: Vessel) -> None:
+        """Spread a food on what lies on a plate, as the FOON spreads such a food; else only lay it on."""
+        ready = self.ready[join.want.number]
+        motions = word_list("is smeared by")
+        ways = [way for motion in sorted(motions) for way in self.bench.operators.ways_of(motion) if way[1]]
+        attested = self.bench.attest(ways, ready.want.names) or self.bench.far(ways, ready.want.names)
+        if attested is None or ready.stuff.at is plate:
+            self._bring(join, plate)
+        else:
+            below = [stuff for stuff in plate.contents if self.known.foods.food(stuff.label).is_a(*_SLICES)]
+            self.bench.bring([ready.stuff], plate, attested, onto=below)
+
+    def _heat_through(self, plate: Vessel, fats: Sequence[Join], stage: Stage) -> Vessel:
+        """Fry what was put together on both sides, and return what it is served on."""
+        pan = self.bench.vessel("cooking pan")
+        device = self.bench.place(pan, "stove", "on")
+        for join in fats:
+            self._bring(join, pan)
+        self.bench.switch(pan, device, on=True)
+        self.work.heat_fat(pan)
+        self.carry.transfer(plate, pan, stage, whole=True)
+        foods = foods_of(pan)
+        heats = [way for way in self.bench.operators.ways.get("heat", ()) if self._only(way, {"heat"})]
+        turns = [way for way in self.bench.operators.ways.get("turn", ()) if self._only(way, {"turn"})]
+        heated, turned = self.bench.require(heats, foods), self.bench.require(turns, foods)
+        self.bench.work(pan, heated, self.plan.label, ("partly cooked",))
+        self.bench.work(pan, turned, self.plan.label, ("flipped", "partly cooked"), with_device=False)
+        self.bench.work(pan, heated, self.plan.label, ("cooked",))
+        self.bench.heat_off(pan)
+        served = self.bench.vessel("plate")
+        self.carry.transfer(pan, served, stage, whole=True)
+        return served
+
+    def _only(self, way: Way, does: set[str]) -> bool:
+        """Whether a way does just this, and what is worked on gets so by it that it may be eaten."""
+        motion = self.known.motion(way[0])
+        return motion.does == does and (does != {"heat"} or "cooked" in motion.gives)
+
+    def _bound(self, joins: Sequence[Join]) -> list[Join]:
+        """Return what is mixed to be spread: small pieces with something creamy, and what seasons them."""
+        small = [join for join in joins if self._is_small(join)]
+        creamy = [join for join in joins if join.want.facts.is_a(*_CREAMY)]
+        seasons = [join for join in joins if join.want.facts.is_a(*_SEASONS) and join not in creamy]
+        pieces = [j for j in small if j not in seasons and j not in creamy and not j.want.facts.is_a(*_LAYERS)]
+        return [*pieces, *creamy, *(join for join in seasons if join not in pieces)] if pieces and creamy else []
+
+    def _stirred_in(self, made: Sequence[Vessel], joins: Sequence[Join]) -> list[Join]:
+        """Stir small pieces into the creamy mixture that a video makes, and return what was stirred in."""
+        bowls = [
+            one for one in made if not one.hot and any(self.known.foods.food(f).is_a(*_CREAMY) for f in foods_of(one))
+        ]
+        small = [join for join in joins if self._is_small(join) and not join.want.facts.is_a(*_LAYERS)]
+        seasons = [join for join in joins if join.want.facts.is_a(*_SEASONS) and not self._is_smeared(join)]
+        found = [*small, *(join for join in seasons if join not in small)] if bowls else []
+        for join in found:
+            self._bring(join, bowls[0])
+        if found:
+            self.bench.work(bowls[0], self.work.stirring(foods_of(bowls[0])), _MIXED, ("mixed",), with_device=False)
+        return found
+
+    def _is_small(self, join: Join) -> bool:
+        states = self.ready[join.want.number].stuff.states
+        fine = any((self.known.state(state).fine or 0) >= _SMALL for state in states)
+        return fine or join.want.facts.is_a(*word_list("falls apart"))
+
+    def dress(self, vessel: Vessel) -> None:
+        """Mix what came to a dish that was done."""
+        self.bench.work(vessel, self.work.stirring(foods_of(vessel)), self.plan.label, ("mixed",), with_device=False)
+
+    def _bring(self, join: Join, vessel: Vessel) -> None:
+        self.carry.bring(self.ready[join.want.number], vessel, None)
+
+    def is_dressed(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
+        """Whether foods come to a dish that is done which are no topping and that nothing mixes in any more."""
+        if not stage.does.isdisjoint(WORKS) or any(not one.does.isdisjoint(WORKS) for one in later):
+            return False
+        if vessel is not None and any("baked" in stuff.states for stuff in vessel.contents):
+            return False  # on what comes out of the oven in one piece it only lies
+        return any(join.slot is None and not self.lies_on_top(join) for join in joins)
+
+    @staticmethod
+    def lies_on_top(join: Join) -> bool:
+        """Whether a food only lies on a dish that is done, or beside it."""
+        return join.on_top or join.want.facts.is_a("topping", "herb", *word_list("is served with what is fried"))
+
+    def portions(self, stage: Stage, vessel: Vessel) -> str:
+        """Return what a mass is called when a stage shapes it, ``""`` where it stays in one piece."""
+        if stage.motion not in word_list("shapes portions") or len(vessel.contents) != 1 or is_flat(vessel.label):
+            return ""
+        if stage.label in word_list("is in portions"):
+            return stage.label
+        mass, kinds = vessel.contents[0], word_list("patties are made of")
+        held = mass.mixed and any(self.known.foods.food(food).is_a(*kinds) for food in mass.foods)
+        in_one = not word_list("is shaped in one piece").isdisjoint(self.plan.label.split())
+        return min(word_list("is called so in portions")) if held and not in_one else ""
+
+    def shaped(self, stage: Stage, vessel: Vessel, label: str) -> Vessel:
+        """Shape a mass to portions called ``label`` and return the plate on which they lie."""
+        plate, (mass,) = self.bench.vessel("plate"), vessel.contents
+        attested = self.work.way(stage, vessel)
+        if attested is None:
+            return vessel
+        whole = Stuff(label, self.bench.number(), (_SHAPED,), mass.foods, mass.wants, plate, mixed=True)
+
+        def change() -> None:
+            vessel.contents.clear()
+            plate.contents.append(whole)
+
+        self.bench.emit(attested, [plate, vessel, mass], change, [plate, whole, vessel])
+        return plate
+
+    def served(self, vessel: Vessel, stage: Stage, stages: Stages) -> Vessel:
+        """Turn everything off and serve the dish, where nobody eats from what it is in; return what it is in then.
+
+        ``stage`` is the last one of ``stages``.
+        """
+        self.bench.heat_off(vessel)
+        self.bench.all_off()
+        group, dish = self._group(vessel), vessel.contents[0]
+        if self.plan.drunk and group in word_list("is not drunk from"):
+            return self._brought(vessel, "mug" if vessel.hot else "drinking glass", stage)
+        if not self._is_cooked_in(vessel) or "chilled" in dish.states:
+            return vessel
+        if len(vessel.contents) > 1 or dish.label != self.plan.label:
+            self.work.name(vessel, self.plan.label)
+        if group in word_list("is served in what it is baked in") and stages.has_no_portions():
+            return vessel
+        try:
+            return self._brought(vessel, self._dish_for(vessel, stages), stage)
+        except RefusedError:  # nobody of this FOON serves such a dish
+            return vessel
+
+    def _dish_for(self, vessel: Vessel, stages: Stages) -> str:
+        """Return what suits what is in a vessel: a bowl what runs, unless it is carved."""
+        return "bowl" if self.carry.is_wet(vessel.contents[0]) and not stages.on_plate else "plate"
+
+    def _brought(self, vessel: Vessel, label: str, stage: Stage) -> Vessel:
+        target = self.bench.vessel(label)
+        self.carry.transfer(vessel, target, stage)
+        return target
+
+    def _group(self, vessel: Vessel) -> str:
+        row = self.known.utensil(vessel.label)
+        return row.group if row is not None else ""
+
+    def _is_cooked_in(self, vessel: Vessel) -> bool:
+        row = self.known.utensil(vessel.label)
+        return row is not None and not row.can.isdisjoint({"heat", "cook", "bake"})

@@ -1,0 +1,288 @@
+"""What a stage of a dish would change on the bench, what joins it, and what comes after it.
+
+Nothing is done here: :mod:`~foon_kg.integration.making.cooking` asks, and does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from foon_kg.food import Food, Tables
+from foon_kg.food.lists import word_list
+from foon_kg.food.parted import PART
+from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat
+from foon_kg.integration.composing.coated import is_portion
+from foon_kg.integration.joining.course import HEATS, MIXES, WORKS, Course, Plan
+from foon_kg.integration.joining.spots import Join, only_carries
+from foon_kg.integration.teaching.frames import BATH, Line, Phase, Stage
+from foon_kg.integration.teaching.operators import form_of
+
+_GRATED = 4
+
+
+class Stages:
+    """Answers for the stages of one dish: ``course`` is what joins where, ``plan`` what is to be made."""
+
+    def __init__(self, course: Course, plan: Plan, known: Tables) -> None:
+        self.course = course
+        self.plan = plan
+        self.known = known
+
+    def waits_for_sauce(self, stage: Stage) -> bool:
+        """Whether what is boiled and drained joins a sauce that cooks before: it is boiled when that is ready."""
+        return isinstance(stage, Phase) and stage.bath and not self.plan.one_pot
+
+    def is_boiled_late(self, stage: Stage) -> bool:
+        """Whether what is boiled by itself is boiled only when what it joins there is ready: a sauce, or a soup."""
+        after = not self.plan.stacked and self.course.follows_heat(stage)
+        return self.waits_for_sauce(stage) or (after and (self.plan.one_pot or stage.does.isdisjoint(HEATS)))
+
+    def made_late(self, line: Line) -> frozenset[int]:
+        """Return, by identity, what joins a line and is made just before: what waits for a sauce, and a foam.
+
+        So is what is cooked to be laid on the rest, where that comes out of a hot pan of its own, and is lifted out.
+        """
+        found = set()
+        lifted = False
+        for stage in line.stages:
+            adds = _lines_at(stage)
+            found |= {id(add) for add in adds if self._waits(stage, add)}
+            hot = {id(add) for add in adds if _is_over_heat(add)}
+            if lifted and not stage.motion:
+                found |= hot
+            lifted = lifted or bool(hot)
+        return frozenset(found)
+
+    def _waits(self, stage: Stage, line: Line) -> bool:
+        return (self.waits_for_sauce(stage) and self.is_drained(line)) or self._falls(line)
+
+    def _falls(self, line: Line) -> bool:
+        """Whether a line beats to a foam what came apart when it was opened, or what is whipped."""
+        joins = [join for stage in line.stages for join in self.course.ordered(stage)]
+        foams = any(join.want.part == PART or join.want.foamed for join in joins)
+        return foams and any("whip" in stage.does for stage in line.stages)
+
+    def is_drained(self, line: Line) -> bool:
+        """Whether a line ends in a strainer."""
+        row = self.known.utensil(line.stages[-1].vessel) if line.stages[-1].vessel else None
+        return row is not None and "strain" in row.can
+
+    @cached_property
+    def on_plate(self) -> bool:
+        """Whether the dish lies on a plate, however much runs out of it: what is carved, and portions of flesh."""
+        if self.plan.label in word_list("is served on a plate"):
+            return True
+        flesh = [join.want for join in self.plan.joins if join.want.facts.is_a(*word_list("is coated"))]
+        in_one = any(is_portion(want, self.known) or want.asked == "whole" for want in flesh)
+        return in_one and not (self.plan.one_pot or self.plan.spooned)
+
+    def lies_baked(self, vessel: Vessel | None) -> bool:
+        """Whether a dish comes out of the oven in one piece, however wet what lies on its dough, or around a roast."""
+        whole = self.plan.laid or self.on_plate
+        return whole and vessel is not None and any("baked" in stuff.states for stuff in vessel.contents)
+
+    def _goes_on(self, stage: Stage, following: Stage) -> bool:
+        """Whether the next stage only goes on with what this one does: once is enough."""
+        if (
+            self.course.stage_alive(following)
+            or self.water(following)
+            or stage.vessel != following.vessel
+            or stage.appliance != following.appliance
+        ):
+            return False
+        kinds = (frozenset({"heat"}), MIXES)
+        mine = next((kind for kind in kinds if stage.does & kind), None)
+        return mine is not None and bool(following.does & mine) and not stage.does & {"dry", "shape", "knead", "blend"}
+
+    def heats_on(self, stage: Stage, later: Sequence[Stage], vessel: Vessel) -> bool:
+        """Whether a vessel stays over the heat: it is heated next on the same appliance, and stands on that."""
+        if vessel.device is None or vessel.relation == "in":
+            return False
+        if stage.vessel not in {vessel.label, ""} or "cut" in stage.does:
+            return False
+        for one in later:
+            if one.source == "heat" and not one.does.isdisjoint(HEATS):
+                return one.appliance == vessel.device.label and one.vessel in {vessel.label, ""}
+            if one.vessel not in {vessel.label, ""}:
+                return False
+        return False
+
+    def lays(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
+        """Whether layers are laid: by a technique, to be chilled, or as the recorded dish lays such foods."""
+        if self.plan.by_table and not stage.motion:
+            return any("wait" in one.does for one in later)
+        laid = bool(joins) and all(join.slot is not None and join.slot in stage.adds for join in joins)
+        return laid and "wait" in stage.does and not (self.plan.in_pieces or self.plan.drunk)
+
+    def would_be_dry(self, stage: Stage, stuffs: Sequence[Join | Vessel]) -> bool:
+        """Whether solid food comes into a pan with nothing to cook in."""
+        if "dry" in stage.does:
+            return False
+        wants = [one.want for one in stuffs if isinstance(one, Join)]
+        wet = any(want.squeezed or want.facts.is_a(*word_list("wets the pan")) for want in wants)
+        solid = any(not want.facts.is_a(*word_list("only flavours")) for want in wants)
+        return solid and not wet and not any(isinstance(one, Vessel) for one in stuffs)
+
+    def merges(self, stage: Stage, later: Sequence[Stage], *, main: bool) -> bool:
+        """Whether nothing mixes the whole any more, so that what joins last completes it."""
+        works = [stage, *later]
+        return main and not self.is_worked_later(works) and not any(self.course.stage_alive(one) for one in later)
+
+    def is_worked_later(self, later: Sequence[Stage]) -> bool:
+        """Whether any of the stages that come ``later`` mixes or heats the whole."""
+        return any(self.mixing(one) for one in later)
+
+    def mixing(self, stage: Stage) -> bool:
+        """Whether a stage mixes or heats."""
+        return bool(stage.motion) and not stage.does.isdisjoint(MIXES | HEATS)
+
+    def water(self, stage: Stage) -> bool:
+        """Whether free water joins here: the frame has it, nobody asked for it, and no other liquid takes its place."""
+        taken = [join.slot for join in self.plan.joins if join.slot is not None]
+        free = [slot for slot in stage.slots if not any(slot is one for one in taken)]
+        if not any(slot.food == "water" for slot in free) or stage.does.isdisjoint(WORKS):
+            return False
+        bath = any(slot == BATH for slot in free)
+        if not bath and any(join.want.facts.is_a("water") for join in self.plan.joins):
+            return False
+        if isinstance(stage, Phase):
+            return True
+        alike = any(join.slot is not None for join in self.plan.joins if join.spot.stage is stage)
+        bought = "knead" in stage.does and any(join.want.facts.is_a("dough") for join in self.plan.joins)
+        if bought or not (stage.appliance or alike):
+            return False  # bought dough has its water, and nothing comes of what the video thins with it
+        apart = any(join.want.facts.is_a(*word_list("is boiled by itself")) for join in self.plan.joins)
+        if apart and not self.plan.one_pot and "liquid" not in stage.does:
+            return False  # that was the water to boil it in
+        liquids = [join for join in self.plan.joins if join.want.facts.is_a("cooking liquid")]
+        return not any(join.spot.stage is stage for join in liquids)
+
+    def fried(self, vessel: Vessel) -> Stuff | None:
+        """Return the only food that is fried in a vessel: the fat and the spices that cling to it are one with it."""
+        clings = word_list("clings to what is fried")
+        foods = [stuff for stuff in vessel.contents if not self.known.foods.food(stuff.label).is_a(*clings)]
+        return foods[0] if len(foods) == 1 < len(vessel.contents) else None
+
+    def is_drained_next(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
+        """Whether the water in which foods are cooked is poured away then: until then it is no part of anything."""
+        row = self.known.utensil(later[0].vessel) if later and later[0].vessel else None
+        water = any(self.known.foods.food(stuff.label).is_a("water") for stuff in vessel.contents if not stuff.mixed)
+        return water and row is not None and "strain" in row.can
+
+    def is_idle(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
+        """Whether a stage would change nothing: it is done again anyway, or there is only one food to be mixed."""
+        mixes = not stage.does.isdisjoint(MIXES)
+        heats = not stage.does.isdisjoint(HEATS)
+        following = self._next(later, vessel)
+        if following is not None and self._goes_on(stage, following):
+            return True
+        foods = [self.known.foods.food(food) for food in foods_of(vessel)]
+        hot = any(not one.does.isdisjoint(HEATS) for one in later)  # else this makes it hot, or nothing does
+        if hot and heats and all(self._is_only_made_hot(food) for food in foods) and not self._is_awaited(later[0]):
+            return True
+        flat = stage.motion in word_list("rises") and not any(f.is_a(*word_list("makes dough rise")) for f in foods)
+        if flat or (not heats and self._is_done_on_a_plate(stage, vessel)):
+            return True
+        if mixes:
+            return self._is_mixed_needlessly(stage, vessel, heats=heats)
+        return not heats and self._works_one_food_needlessly(stage, vessel, foods)
+
+    def _is_done_on_a_plate(self, stage: Stage, vessel: Vessel) -> bool:
+        """Whether nobody turns food over where it lies, or cuts what is in pieces."""
+        turned = "turn" in stage.does and not stage.appliance and is_flat(vessel.label)
+        return turned or ("cut" in stage.does and self._is_in_pieces(vessel))
+
+    def _is_mixed_needlessly(self, stage: Stage, vessel: Vessel, *, heats: bool) -> bool:
+        """Whether there is one food only to be mixed, that is so already, or everything is mixed before."""
+        single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
+        needless = stage.does <= {"coat", "mix", "scatter"} or self._is_done_so(stage, vessel.contents[0])
+        if single and not heats and needless:
+            return True
+        return stage.does <= {"mash", "mix", "blend", "move", "scatter"} and self._is_mixed(stage, vessel)
+
+    def _works_one_food_needlessly(self, stage: Stage, vessel: Vessel, foods: Sequence[Food]) -> bool:
+        """Whether hands would work one food that needs none of it: dough is rolled, and what is baked is cut open."""
+        single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
+        rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
+        opened = stage.does == {"cut"} and "baked" in vessel.contents[0].states
+        return single and stage.does.isdisjoint({"peel", "wait"}) and not rolled and not opened
+
+    def _is_awaited(self, following: Stage) -> bool:
+        """Whether something comes next that has to come into a liquid that is hot: what was shaped."""
+        lines = (add for add in following.adds if isinstance(add, Line))
+        return (
+            isinstance(following, Phase) and following.bath and any("shape" in s.does for a in lines for s in a.stages)
+        )
+
+    def _next(self, later: Sequence[Stage], vessel: Vessel) -> Stage | None:
+        """Return the next stage, past one that only turns food over and that nobody does here."""
+        turns = bool(later) and later[0].does == {"turn"} and not self.course.stage_alive(later[0])
+        if turns and len(later) > 1 and self.is_idle(later[0], vessel, later[1:]):
+            return later[1]
+        return next(iter(later), None)
+
+    def _is_in_pieces(self, vessel: Vessel) -> bool:
+        """Whether there is nothing to cut in what a dish is cooked in: all of it is small, or one with the rest."""
+        row = self.known.utensil(vessel.label)
+        fine = all(s.mixed or any((self.known.state(t).fine or 0) > 0 for t in s.states) for s in vessel.contents)
+        return row is not None and bool(row.can & {"heat", "cook"}) and fine and len(vessel.contents) > 1
+
+    def _is_shaped(self, vessel: Vessel) -> bool:
+        """Whether dough was bought rolled out."""
+        names = {word for food in foods_of(vessel) for word in food.split()}
+        return not word_list("dough that is shaped").isdisjoint(names)
+
+    def _is_done_so(self, stage: Stage, stuff: Stuff) -> bool:
+        """Whether one food is as a stage would make it: beaten before, in small bits, or dough that was bought."""
+        facts = self.known.foods.food(stuff.label)
+        beaten = "whip" in stage.does and not self.known.motion(stage.motion).gives.isdisjoint(stuff.states)
+        small = any((self.known.state(state).fine or 0) >= _GRATED for state in stuff.states)
+        small = small or form_of(self.known, stuff.label, stuff.states) == "powder"
+        if small and not stage.does.isdisjoint({"blend", "whip"}):
+            return True
+        return beaten or ("knead" in stage.does and facts.is_a("dough"))
+
+    def _is_only_made_hot(self, food: Food) -> bool:
+        return food.is_a(*word_list("is only made hot")) and not food.is_a(*word_list("is cooked in phases"))
+
+    def _is_mixed(self, stage: Stage, vessel: Vessel) -> bool:
+        """Whether nothing is left to be mixed: it is mixed and nothing joined, or it is one food that pours."""
+        if len(vessel.contents) != 1:
+            return False
+        (stuff,) = vessel.contents
+        if not stuff.mixed:
+            return form_of(self.known, stuff.label, stuff.states) in {"powder", "liquid"}
+        done = {"blended"} if "blend" in stage.does else {"mixed", "blended"}
+        return not self.course.stage_alive(stage) and not done.isdisjoint(stuff.states)
+
+    def stays_in(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
+        """Whether a vessel stays in its appliance: the next heating is there, and nothing joins before."""
+        following = next((one for one in later if not one.does.isdisjoint(HEATS)), None)
+        return (
+            following is not None
+            and vessel.device is not None
+            and following.appliance == vessel.device.label
+            and following.vessel in {vessel.label, ""}
+            and not any(one.adds for one in later)
+        )
+
+    def has_no_portions(self) -> bool:
+        """Whether a dish is spooned out of what it is baked in: nothing in it comes in portions."""
+        return not any(is_portion(join.want, self.known) for join in self.plan.joins)
+
+    def stays_there(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
+        """Whether a dish is only carried on though it is eaten out of what it was baked in."""
+        row = self.known.utensil(vessel.label)
+        ends = all(only_carries(one) and not self.course.stage_alive(one) for one in (stage, *later))
+        dish = row is not None and row.group in word_list("is served in what it is baked in")
+        baked = any("baked" in stuff.states for stuff in vessel.contents)
+        return ends and dish and baked and not self.plan.tin and not self.plan.laid and self.has_no_portions()
+
+
+def _is_over_heat(line: Line) -> bool:
+    return any(not stage.does.isdisjoint(HEATS) for stage in line.stages)
+
+
+def _lines_at(stage: Stage) -> list[Line]:
+    return [add for add in stage.adds if isinstance(add, Line)]

@@ -1,0 +1,159 @@
+"""How a food is brought into pieces: which way of the FOON, with which tool, on what.
+
+Ways are taken from the FOON's operators, of the food itself or of one that is like it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+from foon_kg.food import Food, Tables, singular
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Bench
+from foon_kg.integration.preparing.preparation import CUTS, NOT_BY_HAND, POWDER, Want, is_mill, wants_a_mill
+from foon_kg.integration.teaching.operators import Attested, Nearness, Way
+
+_SOFT = word_list("can be mashed")
+
+LEAST_ALIKE = 0.2
+"""A food is grated or mashed like another one only where that is not quite absurd."""
+
+BOWL = "bowl"
+
+_GRATE = "grate"
+
+_RARE = 0.2
+"""So seldom, beside the most usual way, is a state given in a way that somebody noted wrongly."""
+
+_SHREDS = word_list("only what is cooked is so")
+
+
+@lru_cache(maxsize=1 << 12)
+def _divides(known: Tables, motion: str) -> bool:
+    """Whether a motion divides a food, and does it by hand."""
+    does = known.motion(motion).does
+    others = NOT_BY_HAND - {"mix"} if "mash" in does else NOT_BY_HAND
+    return not does.isdisjoint(CUTS) and does.isdisjoint(others)
+
+
+class Cutter:
+    """Finds how foods are brought into pieces on a bench."""
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.known = bench.known
+        self.operators = bench.operators
+        self._cuts: dict[tuple[str, Food, str], Attested | None] = {}
+
+    def is_cut(self, way: Way) -> bool:
+        """Whether a way divides a food by hand."""
+        return len(way[1]) <= 1 and _divides(self.known, way[0])
+
+    def way_to_cut(self, want: Want, state: str) -> Attested | None:
+        """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
+        key = (want.label, want.facts, state)  # it is asked first whether there is a way, and then which
+        if key not in self._cuts:
+            self._cuts[key] = self._way_to_cut_so(want, state)
+        return self._cuts[key]
+
+    def _way_to_cut_so(self, want: Want, state: str) -> Attested | None:
+        ways = [way for way in self.operators.making(state) if self.is_cut(way)]
+        ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
+        ways = self._with_a_knife(ways, want)
+        if wants_a_mill(state, want.facts, self.known):
+            ways = [way for way in ways if is_mill(way, self.known)]
+        if state in word_list("is pulled apart by hand"):
+            pulls = [way for motion in sorted(word_list("pulls flesh apart")) for way in self.operators.ways_of(motion)]
+            pulls = [way for way in pulls if not way[1]]
+            return self.bench.attest(pulls, want.names, act=True) or self.bench.far(pulls, want.names, act=True)
+        if state in _SHREDS and want.facts.is_a(*word_list("is flesh")):
+            by_hand = [way for way in ways if way[0] in word_list("pulls flesh apart") and not way[1]]
+            ways = by_hand or ways
+        hard = state in word_list("grates what is hard") and want.facts.is_a(*word_list("is hard to shred"))
+        grating = [way for way in ways if self.has_tool_to(_GRATE, way)]
+        if grating and (hard or state in word_list("only grates") | word_list("is so by a grater")):
+            like = self._nearest_cut(grating, want, state)
+            if like is None and want.facts.is_a(*word_list("can be grated")):
+                like = self.bench.far(grating, want.names, act=True)
+            return like or self._nearest_cut(ways, want, state)
+        return self._nearest_cut(ways, want, state)
+
+    def _with_a_knife(self, ways: list[Way], want: Want) -> list[Way]:
+        """Return the ways that divide a food: where it is firm, not by bare hands, nor with what is no knife."""
+        if not want.facts.is_a(*word_list("wants a knife")) or want.facts.is_a(*word_list("is broken by hand")):
+            return ways
+        bare, unfit = word_list("is done by bare hands"), word_list("is no knife")
+        return [way for way in ways if (way[1] or way[0] not in bare) and unfit.isdisjoint(way[1])] or ways
+
+    def _nearest_cut(self, ways: Sequence[Way], want: Want, state: str) -> Attested | None:
+        usual = self._usual_ways(ways, state)
+        tools = {way[1] for way in usual}
+        attested = self.bench.attest([way for way in ways if way[1] in tools], want.names, act=True)
+        if attested is None or attested.nearness > Nearness.FOOD:
+            attested = self.bench.attest(usual, want.names, act=True) or (self._far(usual, want) if usual else None)
+        return attested or self.bench.attest(ways, want.names, act=True) or self._far(ways, want)
+
+    def _usual_ways(self, ways: Sequence[Way], state: str) -> list[Way]:
+        """Return the ways by which the FOON usually gives a state: a grater grates, though a knife might do."""
+        given: Mapping[Way, int] = self.operators.giving.get(state, {})
+        most = max((given[way] for way in ways if way in given), default=0)
+        return [way for way in ways if given.get(way, 0) > _RARE * most]
+
+    def usual_cut(self, want: Want) -> str:
+        """Return the state into which the FOON most often cuts such a food."""
+        if want.facts.is_a(*word_list("is grated where nothing is said")):
+            return min(word_list("only grates"))
+        counts: dict[str, int] = {}
+        for name in (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}", "kind:vegetable"):
+            for state in self.operators.states.get(name, ()):
+                fine = self.known.state(state).fine or 0
+                if 1 < fine < POWDER:
+                    counts[state] = counts.get(state, 0) + sum(
+                        n for way, n in self.operators.giving.get(state, {}).items() if self.is_cut(way)
+                    )
+            if any(counts.values()):
+                break
+        counts = counts or {"chopped": 1}
+        return min(counts, key=lambda state: (-counts[state], state))
+
+    def comes_so(self, want: Want, state: str) -> bool:
+        """Whether any video has this food, or one of its very kind, in such a state."""
+        names = (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}")
+        return any(state in self.operators.states.get(name, ()) for name in names)
+
+    def with_tool(self, attested: Attested) -> Attested:
+        """Return a way of cutting with the tool that the motion most often has, where a video forgot to name it."""
+        if attested.way[1]:
+            return attested
+        tool = next((way[1] for way in self.operators.ways_of(attested.way[0]) if way[1]), ())
+        return replace(attested, way=(attested.way[0], tool))
+
+    def has_tool_to(self, work: str, way: Way) -> bool:
+        """Return whether a tool of ``way`` is made for a ``work``, as to grate."""
+        rows = (self.known.utensil(tool) for tool in way[1])
+        return any(row is not None and work in row.can for row in rows)
+
+    def _far(self, ways: Sequence[Way], want: Want) -> Attested | None:
+        """Return how the likest food is divided: a knife cuts all, but no trout is grated or mashed like a carrot."""
+        found = self.bench.far(ways, want.names, act=True)
+        if found is not None and want.facts.is_a(*_SOFT) and "mash" in self.known.motion(found.way[0]).does:
+            return found
+        if found is not None and found.like is not None and found.like[2] >= LEAST_ALIKE:
+            return found
+        return self.bench.far([way for way in ways if "cut" in self.known.motion(way[0]).does], want.names, act=True)
+
+    def board(self, way: Way) -> str:
+        """Return what a food lies on or in while it is worked on in this way; ``""`` for the hand.
+
+        What fingers tear or crumble falls into a bowl.
+        """
+        if not self.is_cut(way):
+            return ""
+        if not way[1]:
+            return BOWL
+        places = self.operators.onto.get(way)
+        if not places:
+            places = self.operators.onto[("chop", ("knife",))]
+        return min(places, key=lambda place: (-places[place], place)) if places else "cutting board"

@@ -1,0 +1,50 @@
+"""What a title asks to be done and no step of the finished tree does: it is said with the tree."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from foon_kg.food import Tables
+from foon_kg.food.named import Named
+from foon_kg.food.techniques import Foods
+from foon_kg.integration.final_tree import FinalTree
+from foon_kg.integration.preparing.preparation import Want
+from foon_kg.model.claims import Assumption
+from foon_kg.model.tree import TreeUnit
+
+
+def with_unheeded(
+    tree: FinalTree, asked: Iterable[tuple[Named, str]], wants: Sequence[Want], known: Tables
+) -> FinalTree:
+    """Return a tree that says of each word of its title if no step does what that asks for."""
+    told = []
+    for one, said in asked:
+        names = _first_meant(one, wants)
+        leaf = next((node for name in names for node in tree.kitchen if node.label == name), None)
+        if leaf is not None and not _is_done_in(one, tree.units, known):
+            told.append(Assumption(leaf, f"the title says “{said}”, and no step of this FOON does it to such a dish"))
+    return replace(tree, assumptions=(*tree.assumptions, *told)) if told else tree
+
+
+def _first_meant(one: Named, wants: Sequence[Want]) -> Iterator[str]:
+    """Yield the asked foods that it is done to: what the table names first comes first."""
+    for foods in one.of or (Foods(("*",)),):
+        yield from (want.label for want in wants if foods.mean(want.label, want.facts, ()))
+
+
+def _is_for(one: Named, names: Iterable[str], known: Tables) -> bool:
+    """Whether one of these names is that of a food that it is done to."""
+    return any(known.utensil(name) is None and one.is_of(name, known.foods.food(name)) for name in names)
+
+
+def _is_done_in(one: Named, units: Sequence[TreeUnit], known: Tables) -> bool:
+    """Whether steps of a tree do it to what it is for, as often as that is asked, before or after it is heated."""
+    hot, found = [], []
+    for number, unit in enumerate(units):
+        names = {name for node in unit.input_nodes for name in (node.label, *node.ingredients)}
+        if _is_for(one, names, known):
+            row = known.motion(unit.step.motion)
+            hot += [number] if "heat" in row.does else []
+            found += [number] if one.is_done_by(unit.step.motion, row) else []
+    return len(one.in_time(found, hot)) >= one.times
