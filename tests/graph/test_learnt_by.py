@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import foon_kg
 import grimp
+
+import foon_kg
 from foon_kg.store.graph.learnt_by import LEARNT_BY
 
 NOT_LEARNING = {"model", "plans", "similarity", "store", "cypher"}
