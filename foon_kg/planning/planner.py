@@ -259,7 +259,7 @@ class _Question:
         dish_type = self.recipe.dish_type or frame.dish_type
         asked = Asked(self.wants, dish_type, self.recipe.title or "", self.known)
         tin = next((dish.tin for dish in reversed(asked.dishes) if dish.tin), "")
-        bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
+        bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.likes.instead)
         called = self._called(fit, asked, dish_type, tin)
         line, joins, one_pot = arranged(frame.line, fit.joins, self.parts, called, self.known)
         label = frame.goal.label if has_its_name(fit, asked, dish_type, tin, self.technique) else dish_type

@@ -12,7 +12,7 @@ from foon_kg.model import content_key
 from foon_kg.model.kept import code_key
 
 LEARNT_BY = (
-    "food", "world", "integration/teaching", "integration/joining", "integration/preparing", "integration/bench.py",
+    "food", "world", "integration/teaching", "integration/joining", "integration/preparing", "integration/bench",
     "integration/methods.py", "store/graph/lifting.py", "store/graph/learning.py", "store/graph/frame_rows.py",
     "store/snapshot.py",
 )  # fmt: skip

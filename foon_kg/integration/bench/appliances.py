@@ -1,0 +1,181 @@
+"""What is done with appliances and lids: vessels stand on them or in them, and they are turned on and off."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from foon_kg.integration.bench.handwork import Handwork
+from foon_kg.integration.bench.steps import Done, RefusedError
+from foon_kg.integration.bench.things import Device, Shown, Vessel, foods_of
+from foon_kg.integration.teaching.operators import Alike, Attested, Likes, Operators, Way
+
+_LIGHTS = ("light",)
+_BRINGS = frozenset({"coat", "fetch", "move", "scatter"})
+
+_PLACES = {"on": ("pick-and-place", "place"), "in": ("put inside", "insert", "pick-and-place")}
+"""By which motions a vessel comes on or in an appliance."""
+
+_ATTACHES = ("attach", "insert", "pick-and-place")
+
+
+class Bench(Handwork):
+    """A kitchen during the making of one dish.
+
+    ``likes`` names the known foods that can stand for one, ``alike`` says how sure that is; foods in ``instead`` are
+    to be handled like another one.
+    """
+
+    def __init__(self, operators: Operators, likes: Likes, alike: Alike, instead: Collection[str] = ()) -> None:
+        super().__init__(operators, likes, alike, instead)
+        self.standing: dict[int, Vessel] = {}
+        self.placed: list[Vessel] = []
+        self.other_motions: dict[tuple[str, str], str] = {}
+
+    # --- on and off it ---
+
+    def place(self, vessel: Vessel, label: str, relation: str) -> Device:
+        """Stand a vessel on an appliance, put it in, or attach it; what is done with the heat is taken off before."""
+        device = self.device(label)
+        self._clear(device, relation)
+        attested = self.first([(motion, ()) for motion in _PLACES.get(relation, _ATTACHES)], foods_of(vessel))
+
+        def change() -> None:
+            vessel.device, vessel.relation = device, relation
+
+        self.emit(attested, [vessel, device], change, [vessel, (device, vessel)])
+        self.placed.append(vessel)
+        return device
+
+    def _clear(self, device: Device, relation: str) -> None:
+        """Take off an appliance what was heated there, and is emptied or off the heat."""
+        self.placed[:] = [one for one in self.placed if one.device is not None]
+        if relation != "on":
+            return
+        for vessel in list(self.placed):
+            if vessel.device is device and vessel.relation == "on" and self._is_done_with(vessel):
+                self.switch(vessel, device, on=False)
+                self.take_off(vessel)
+
+    def _is_done_with(self, vessel: Vessel) -> bool:
+        """Whether a vessel that was heated is emptied or off the heat."""
+        return vessel.hot and (not vessel.contents or not self.is_running(vessel))
+
+    def take_off(self, vessel: Vessel) -> None:
+        """Take a vessel off, out of or from its appliance."""
+        device = vessel.device
+        if device is None:
+            return
+        attached = vessel.relation == "attached to"
+        motions = ("detach", "remove") if attached else ("remove", "take out", "pick-and-place")
+        back = ("attach", "insert") if attached else ("put inside", "insert", "place")
+        name, attested = self._undone(motions, back, device.label, foods_of(vessel))
+
+        def change() -> None:
+            vessel.device, vessel.relation = None, ""
+
+        inside = list(vessel.contents) if vessel.relation == "in" else []
+        self.emit(attested, [vessel, (device, vessel), *inside], change, [vessel, *inside, device], motion=name)
+
+    def _undone(
+        self, names: Sequence[str], others: Sequence[str], device: str, foods: Sequence[str]
+    ) -> tuple[str, Attested]:
+        """Return how what was done with an appliance is undone, with the evidence.
+
+        Where no video shows it, that it was done, else that something is done with the appliance, tells as much: the
+        same hand undoes it.
+        """
+        try:
+            attested = self.first([(name, ()) for name in names], foods)
+        except RefusedError:
+            attested = self.require(self._done_with(device, others), foods)
+            self.other_motions[device, names[0]] = attested.way[0]
+            return names[0], attested
+        return attested.way[0], attested
+
+    def _done_with(self, device: str, motions: Sequence[str]) -> list[Way]:
+        """Return the ways without a tool by one of ``motions``, then all that are done with an appliance."""
+        ways = [way for motion in motions for way in self.operators.ways_of(motion) if not way[1]]
+        bare = (way for way in self.operators.evidence if not way[1])
+        return [*ways, *sorted(way for way in bare if self.operators.works_on(way, device))]
+
+    # --- on and off ---
+
+    def switch(self, vessel: Vessel | None, device: Device, *, on: bool) -> None:
+        """Turn an appliance on or off, a stove under one vessel."""
+        number = vessel.number if vessel is not None and self.has_burners(device) else 0
+        if device.always_on or (number in device.running) == on:
+            return
+        on_names, off_names = ("turn on", *_LIGHTS), ("turn off",)
+        names, others = (on_names, off_names) if on else (off_names, on_names)
+        name, attested = self._undone(names, others, device.label, ())
+        thing: Shown = (device, vessel) if vessel is not None else device
+        if vessel is not None:
+            self.standing[number] = vessel
+
+        def change() -> None:
+            (device.running.add if on else device.running.discard)(number)
+
+        self.emit(attested, [thing], change, [thing], motion=name)
+
+    def all_off(self) -> None:
+        """Turn off whatever is on."""
+        for device in self.devices.values():
+            for number in sorted(device.running):
+                self.switch(self.standing.get(number), device, on=False)
+
+    def heat_off(self, vessel: Vessel) -> None:
+        """Turn off the appliance of a vessel, and take the vessel out of it or off it, unless it stands on a stove."""
+        device = vessel.device
+        if device is None:
+            return
+        self.switch(vessel, device, on=False)
+        if vessel.relation != "on":
+            self.take_off(vessel)
+            self.uncover(vessel)
+
+    def forget_short_breaks(self) -> None:
+        """Leave an appliance on where it was turned off and on again while food only came into its vessel."""
+        kept: list[Done] = []
+        for done in self.done:
+            place = self._off_before(kept, done) if done.step.motion != "turn off" else None
+            if place is None:
+                kept.append(done)
+            else:
+                del kept[place]
+        self.done[:] = kept
+
+    def _off_before(self, before: Sequence[Done], done: Done) -> int | None:
+        """Return the place of the step that turned off what ``done`` turns on, with nothing but such steps since."""
+        if len(done.step.inputs) != 1 or len(done.step.outputs) != 1:
+            return None
+        (off,), (on,) = done.step.inputs, done.step.outputs
+        for place in range(len(before) - 1, -1, -1):
+            step = before[place].step
+            if step.inputs == (on,) and step.outputs == (off,):
+                return place
+            into = any(mention.thing == off.container_thing for mention in step.outputs)
+            if not into or not self.known.motion(step.motion).does <= _BRINGS:
+                return None
+        return None
+
+    # --- lids ---
+
+    def cover(self, vessel: Vessel, lid: str) -> None:
+        """Put a lid on a vessel."""
+        attested = self.first([("cover", ()), ("close", ())], foods_of(vessel))
+
+        def change() -> None:
+            vessel.lid = lid
+
+        self.emit(attested, [vessel, lid], change, [vessel])
+
+    def uncover(self, vessel: Vessel) -> None:
+        """Take the lid off a vessel."""
+        if not vessel.lid:
+            return
+        attested = self.first([("uncover", ()), ("open", ())], foods_of(vessel))
+
+        def change() -> None:
+            vessel.lid = ""
+
+        self.emit(attested, [vessel, vessel.lid], change, [vessel])

@@ -1,0 +1,75 @@
+"""What a kitchen has while a dish is made: appliances, vessels, and foods in one place each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+
+_FLAT = word_list("flat utensils")
+
+
+@dataclass(eq=False)
+class Device:
+    """An appliance, and whether it is on (a stove: for each vessel by its number)."""
+
+    label: str
+    number: int
+    always_on: bool = False
+    running: set[int] = field(default_factory=set)
+
+
+@dataclass(eq=False)
+class Vessel:
+    """A vessel with what is in or on it. ``device`` is what it stands on, in or is attached to."""
+
+    label: str
+    number: int
+    contents: list[Stuff] = field(default_factory=list)
+    device: Device | None = None
+    relation: str = ""
+    lid: str = ""
+    hot: bool = False
+    storage: bool = False
+
+
+@dataclass(eq=False)
+class Stuff:
+    """A food in one place. ``foods`` are the names of all foods in it; ``wants`` the numbers of the asked ones."""
+
+    label: str
+    number: int
+    states: tuple[str, ...]
+    foods: tuple[str, ...]
+    wants: frozenset[int]
+    at: Vessel | None = None
+    mixed: bool = False
+
+
+Thing = Device | Vessel | Stuff | str
+"""What a step happens to; a tool is only its name."""
+
+Shown = Thing | tuple[Device, Vessel]
+"""What a step tells: a thing, or an appliance as it is with one of its vessels."""
+
+
+def is_flat(label: str) -> bool:
+    """Whether things lie on it and not in it."""
+    return label.rpartition(" ")[2] in _FLAT
+
+
+def foods_of(vessel: Vessel) -> tuple[str, ...]:
+    """Return the names of all foods in a vessel."""
+    return tuple(dict.fromkeys(food for stuff in vessel.contents for food in stuff.foods))
+
+
+def is_heated(states: Iterable[str], known: Tables) -> bool:
+    """Whether one of these states is only given by heat."""
+    return any(known.state(state).needs_heat for state in states)
+
+
+def fineness(states: Iterable[str], known: Tables) -> int:
+    """Return how fine the pieces of a food in these states are, 0 (whole) to 5 (powder)."""
+    return max((known.state(state).fine or 0 for state in states), default=0)
