@@ -9,8 +9,8 @@ from dataclasses import replace
 from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
+from foon_kg.integration.joining.comers import is_strewn
 from foon_kg.integration.joining.course import HEATS
-from foon_kg.integration.joining.phases import is_strewn
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 

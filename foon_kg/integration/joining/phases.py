@@ -3,57 +3,82 @@
 A video shows the order of its own foods only. So the stages in which one vessel stands over the heat are taken
 together, and the foods that join there are parted again by what they are: what fries in the hot fat, what is stirred
 into it for a moment, what cooks in the liquid, what is done soon, what is stirred in last. After each the whole is
-cooked, as the video does it.
+cooked, as the video does it. Which food is in which phase is in :mod:`~foon_kg.integration.joining.comers`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from foon_kg.food import Food, Tables, words
+from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
+from foon_kg.integration.joining.comers import (
+    DRY_ORDER,
+    EGGS,
+    EGGS_FIRST,
+    LAST,
+    ORDER,
+    SOON,
+    WET,
+    Comer,
+    Medium,
+    boils,
+    in_parts,
+    is_bath,
+    is_strewn,
+    makes_a_sauce,
+    needs_pan,
+    phase_in,
+    phase_together,
+    thickens,
+    untoasted,
+)
 from foon_kg.integration.joining.course import HEATS, WORKS, Plan
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.patterns import SIMMER, STIR
+from foon_kg.integration.joining.spots import Join, any_is
+from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Phase, Slot, Stage
 
-_BATHS = tuple(word_list("is a bath"))
 _DONE_OVER_HEAT = HEATS | {"mix", "liquid", "move", "fat", "coat"}
-_ORDER = ("is fried", "is stirred into the fat", "cooks in the liquid", "is done soon", "is stirred in last")
-_FRIED, _BINDS, _WET, _SOON, _LAST = _ORDER
-_EGGS_FIRST, _EGGS = "eggs before what is boiled", "eggs"
-_DRY_ORDER = (_FRIED, _BINDS, _SOON, _EGGS_FIRST, _WET, _EGGS, _LAST)
-_MOST_TELLING = (_LAST, _SOON, _BINDS, _FRIED, _WET)
 
 
 @dataclass(frozen=True)
-class _Comer:
-    """What joins a vessel over the heat: an asked food, a line, or water that nobody asked for."""
+class _Vessel:
+    """What one vessel takes up while it stands over the heat, in the stages of a ``run``.
 
-    what: Join | Line | Slot
-    facts: Food | None
-    phase: str
+    ``joins`` are foods by themselves, ``lines`` what is made of foods beside it, ``within`` the foods of both.
+    """
 
-    @property
-    def rank(self) -> tuple[bool, bool, bool]:
-        """Its place within its phase: fat first, then what takes longest, seasoning at the end."""
-        facts = self.facts
-        if facts is None:
-            return (True, True, False)
-        first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"))
-        return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts))
+    run: Sequence[Stage]
+    joins: Sequence[Join]
+    lines: Sequence[Line]
+    within: Sequence[Join]
 
     @property
-    def is_solid(self) -> bool:
-        """Whether something comes that is cooked, and no mere fat or seasoning."""
-        if self.is_water:
-            return False
-        return self.facts is None or not (self.facts.is_a("fat") or _seasons(self.facts))
+    def hot(self) -> list[Stage]:
+        """The stages at which it is heated."""
+        return [stage for stage in self.run if "heat" in stage.does]
 
     @property
-    def is_water(self) -> bool:
-        """Whether it is water: to boil it is nothing to be told, but what joins it then is."""
-        return isinstance(self.what, Slot) or (self.facts is not None and self.facts.is_a("water"))
+    def water(self) -> Slot | None:
+        """The free water that its video has in it."""
+        return next((slot for stage in self.run for slot in stage.slots if slot.food == "water"), None)
+
+    def shown(self, *, wet: bool, last: bool) -> Stage | None:
+        """Return the stage that shows how a phase is cooked: one in a liquid (``wet``), or the ``last`` one."""
+        if wet:
+            return next((stage for stage in self.hot if "liquid" in stage.does or "mix" not in stage.does), None)
+        return self.hot[-1] if last else next((stage for stage in self.hot if stage.does >= {"heat", "mix"}), None)
+
+    def pattern(self, parts: Sequence[Sequence[Comer]], *, bath: bool, last: bool) -> Stage:
+        """Return how the last of ``parts`` is cooked; there may be no stage of that kind in the video."""
+        wet = bath and boils(parts[-1])
+        shown = self.shown(wet=wet, last=last)
+        if shown is None:
+            return _done_like(self.hot[-1], SIMMER if wet and not thickens(parts) else STIR)
+        stirred = thickens(parts) if wet else not bath and "liquid" in shown.does
+        return _done_like(shown, STIR) if stirred else shown
 
 
 def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
@@ -64,15 +89,6 @@ def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
     rank = {number: place for place, number in enumerate(phaser.order)}
     joins.sort(key=lambda join: rank.get(join.want.number, -1))
     return changed, replace(plan, joins=joins)
-
-
-def phase_of(facts: Food) -> str:
-    """Return in which phase a food joins a vessel over the heat: by its name or kind, else by the broader ones."""
-    for own in (facts.taken_for, facts.kind):
-        for name in _MOST_TELLING:
-            if own in word_list(name):
-                return name
-    return next((name for name in _MOST_TELLING if facts.is_a(*word_list(name))), _WET)
 
 
 class _Phaser:
@@ -91,45 +107,54 @@ class _Phaser:
 
     def tossed(self, line: Line) -> Line:
         """Return a line that boils and drains with a pan in which that is tossed with what it is eaten with."""
-        for place, stage in enumerate(line.stages[1:], start=1):
+        place = self._drained_before(line)
+        if place is None or self.plan.cold:
+            return line
+        stage = line.stages[place]
+        joins = [join for join in self.at.get(id(stage), ()) if not is_strewn(join)]
+        if all(join.slot is not None for join in joins):
+            return line
+        drained = Line(line.stages[:place])
+        pan = replace(STIR, adds=(drained, *stage.adds), label=stage.label, states=stage.states, step=stage.step)
+        self.at[id(pan)] = joins
+        self.at[id(stage)] = [join for join in self.at[id(stage)] if join not in joins]
+        self.spot.update({join.want.number: pan for join in joins})
+        self.became[id(stage)] = (pan, stage)
+        self.kept.append(pan)
+        return Line((pan, *line.stages[place:]))
+
+    def _drained_before(self, line: Line) -> int | None:
+        """Return the place of the stage just before which a line is drained, if nothing is done to it from there on."""
+        for place in range(1, len(line.stages)):
             rest = line.stages[place:]
-            joins = [join for join in self.at.get(id(stage), ()) if not is_strewn(join)]
-            if not self._strains(line.stages[place - 1]) or any(not one.does.isdisjoint(WORKS) for one in rest):
-                continue
-            if self.plan.cold or all(join.slot is not None for join in joins):
-                return line
-            pan = Stage(
-                (Line(line.stages[:place]), *stage.adds), "cook and stir", frozenset({"heat", "mix"}), ("spoon",),
-                "cooking pan", "in", "stove", "heat", stage.label, stage.states, stage.step,
-            )  # fmt: skip
-            self.at[id(pan)] = joins
-            self.at[id(stage)] = [join for join in self.at[id(stage)] if join not in joins]
-            self.spot.update({join.want.number: pan for join in joins})
-            self.became[id(stage)] = (pan, stage)
-            self.kept.append(pan)
-            return Line((pan, *rest))
-        return line
+            if self._strains(line.stages[place - 1]) and all(one.does.isdisjoint(WORKS) for one in rest):
+                return place
+        return None
 
     def line(self, line: Line) -> Line:
+        """Return a line of which what stands over the heat is in phases; itself where nothing is to be changed."""
         stages: list[Stage] = []
         runs = list(self._runs(line))
         sets = any("shape" in stage.does for stage in line.stages)
         for place, run in enumerate(runs):
-            adds = {id(add): self.line(add) for one in run for add in one.adds if isinstance(add, Line)}
             drained = place + 1 < len(runs) and self._strains(runs[place + 1][0])
-            fresh = () if drained else self._phases(run, adds, sets=sets)
-            if not fresh and all(adds[id(add)] is add for one in run for add in one.adds if isinstance(add, Line)):
-                stages += run
-                continue
-            for one in run if not fresh else ():
-                other = replace(one, adds=tuple(adds.get(id(add), add) for add in one.adds))
-                self.became[id(one)] = (other,)
-                stages.append(other)
-            for one in run if fresh else ():
-                self.became[id(one)] = fresh
-            stages += fresh
+            stages += self._cooked(run, drained=drained, sets=sets)
         same = len(stages) == len(line.stages) and all(a is b for a, b in zip(stages, line.stages, strict=True))
         return line if same else Line(tuple(stages))
+
+    def _cooked(self, run: Sequence[Stage], *, drained: bool, sets: bool) -> Sequence[Stage]:
+        """Return what becomes of the stages of one vessel: its phases, unless it is ``drained`` after them."""
+        adds = {id(add): self.line(add) for stage in run for add in _lines_at(stage)}
+        phases = () if drained else self._phases(run, adds, sets=sets)
+        if phases:
+            self.became.update((id(stage), phases) for stage in run)
+            return phases
+        if all(id(line) == before for before, line in adds.items()):
+            return run
+        changed = [_with_adds(stage, adds) for stage in run]
+        for stage, other in zip(run, changed, strict=True):
+            self.became[id(stage)] = (other,)
+        return changed
 
     def moved(self, join: Join) -> Join:
         """Return a food with the stage at which it joins now, and with what comes after that."""
@@ -170,57 +195,66 @@ class _Phaser:
     # --- phases ---
 
     def _phases(self, run: Sequence[Stage], adds: Mapping[int, Line], *, sets: bool) -> tuple[Stage, ...]:
+        """Return the phases of the stages of one vessel, to which ``adds`` come; none where there are none to part."""
         if isinstance(run[0], Phase):
             return ()  # it has its place already
-        joins = [join for stage in run for join in self.at.get(id(stage), ())]
-        beside = [add for stage in run for add in stage.adds if isinstance(add, Line)]
-        joins += [join for line in beside for join in self._taken_out(line, sets=sets)]
-        within = [*joins, *(join for line in beside for join in self._foods(line))]
-        hot = [stage for stage in run if "heat" in stage.does]
-        if not hot or not self._is_over_heat(run[0]) or not self._is_cooked_in_phases(within):
+        vessel = self._vessel(run, sets=sets)
+        if not vessel.hot or not self._is_over_heat(run[0]) or not self._is_cooked_in_phases(vessel.within):
             return ()
+        medium = self._medium(vessel)
+        if medium is None:
+            return ()
+        comers = self._as_a_whole(self._comers(vessel, adds, medium), vessel.within, bath=medium.bath)
+        return self._stages(vessel, in_parts(comers, ORDER if medium.bath else DRY_ORDER), bath=medium.bath)
+
+    def _vessel(self, run: Sequence[Stage], *, sets: bool) -> _Vessel:
+        """Return what comes together in one vessel; what is mixed beside it may be ``_taken_out`` of that."""
+        joins = [join for stage in run for join in self.at.get(id(stage), ())]
+        beside = [line for stage in run for line in _lines_at(stage)]
+        for line in beside:
+            joins += self._taken_out(line, sets=sets)
         lines = [line for line in beside if self._foods(line)]
-        fat = self._has_fat(within)
-        bath = any(_is_bath(one.want.facts) for one in (*joins, *(j for line in lines for j in self._bath_of(line))))
-        water = None if bath else self._water(run, joins, fat=fat)
-        bath = bath or water is not None
-        if not fat and not bath:
-            if not any(join.want.facts.is_a(*word_list("is flesh")) for join in joins):
-                return ()
-            fat = True  # flesh fries without
-        comers = self._comers(joins, adds, lines, fat=fat, bath=bath)
-        if water is not None:
-            comers.insert(0, _Comer(water, None, _WET))
-        parts = _parts(self._as_a_whole(comers, within, bath=bath), _ORDER if bath else _DRY_ORDER)
-        small = bath or any(one.want.facts.is_a("egg", *word_list("is eaten with a sauce")) for one in within)
-        return self._stages(run, hot, parts, bath=bath, small=small)
+        within = list(joins)
+        for line in lines:
+            within += self._foods(line)
+        return _Vessel(run, joins, lines, within)
 
     def _is_cooked_in_phases(self, foods: Sequence[Join]) -> bool:
-        savoury = self.plan.one_pot or any(join.want.facts.is_a(*word_list("is cooked in phases")) for join in foods)
-        return savoury or _makes_a_sauce(foods)
+        return self.plan.one_pot or any_is(foods, *word_list("is cooked in phases")) or makes_a_sauce(foods)
+
+    def _medium(self, vessel: _Vessel) -> Medium | None:
+        """Return what the foods of a vessel cook in; ``None`` where there is nothing to cook them in."""
+        fat = self._has_fat(vessel.within)
+        poured = [*vessel.joins, *(join for line in vessel.lines for join in self._bath_of(line))]
+        if any(is_bath(one.want.facts) for one in poured):
+            return Medium(fat=fat, bath=True)
+        water = self._water(vessel, fat=fat)
+        if water is not None:
+            return Medium(fat=fat, bath=True, water=water)
+        hot = fat or any_is(vessel.joins, *word_list("is flesh"))  # flesh is fried without
+        return Medium(fat=True, bath=False) if hot else None
 
     def _has_fat(self, within: Sequence[Join]) -> bool:
         """Whether there is fat to fry in: among what comes together, or at hand in any kitchen."""
         fats = [join for join in self.plan.joins if join.want.facts.is_a(*word_list("gives fat"))]
         return any(join in within or join.want.facts.is_a("stock") for join in fats)
 
-    def _comers(
-        self, joins: Sequence[Join], adds: Mapping[int, Line], lines: Sequence[Line], *, fat: bool, bath: bool
-    ) -> list[_Comer]:
-        """Return what comes into the vessel, foods and ``lines``, each with its phase."""
+    def _comers(self, vessel: _Vessel, adds: Mapping[int, Line], medium: Medium) -> list[Comer]:
+        """Return what comes into a vessel, each with its phase; ``adds`` are the lines as they are by now."""
         apart = not self.plan.one_pot
-        foods = [_Comer(join, join.want.facts, _phase_in(join, fat=fat, bath=bath, apart=apart)) for join in joins]
-        return foods + [_Comer(adds[id(line)], None, self._phase_of_line(line, bath=bath)) for line in lines]
+        water = [Comer(medium.water, None, WET)] if medium.water is not None else []
+        foods = [Comer(join, join.want.facts, phase_in(join, medium, apart=apart)) for join in vessel.joins]
+        lines = [Comer(adds[id(line)], None, self._phase_of_line(line, bath=medium.bath)) for line in vessel.lines]
+        return water + foods + lines
 
     def _foods(self, line: Line) -> list[Join]:
-        return [
-            join
-            for stage in line.stages
-            for join in (
-                *self.at.get(id(stage), ()),
-                *(one for add in stage.adds if isinstance(add, Line) for one in self._foods(add)),
-            )
-        ]
+        """Return the foods that join a line, and the lines that join it."""
+        found: list[Join] = []
+        for stage in line.stages:
+            found += self.at.get(id(stage), ())
+            for add in _lines_at(stage):
+                found += self._foods(add)
+        return found
 
     def _taken_out(self, line: Line, *, sets: bool) -> list[Join]:
         """Take out of what is mixed cold what a cook puts into the vessel by itself, and return it.
@@ -228,20 +262,17 @@ class _Phaser:
         That is what has to be fried before raw eggs come, and eggs that would set in the liquid only when that boils:
         not where all of it ``sets``, and is folded then.
         """
-        foods = self._foods(line)
-        if any(not stage.does <= {"mix", "move", "whip"} for stage in line.stages):
+        if not _is_mixed_cold(line):
             return []
-        batter = any(join.want.facts.is_a(*word_list("is held together with eggs")) for join in foods)
-        eggs = not batter and any(join.want.facts.is_a("egg") for join in foods)
-        bath = not sets and any(
-            _is_bath(join.want.facts) and not join.want.facts.is_a(*word_list("is beaten with eggs")) for join in foods
-        )
-        found = [
-            join
-            for join in foods
-            if (eggs and not join.want.facts.is_a("fat") and _needs_pan(join.want.facts))
-            or (bath and join.want.facts.is_a("egg"))
-        ]
+        foods = self._foods(line)
+        eggs = any_is(foods, "egg") and not any_is(foods, *word_list("is held together with eggs"))
+        bath = not sets and any(_is_bath_for_eggs(join.want.facts) for join in foods)
+
+        def comes_by_itself(facts: Food) -> bool:
+            fried_before = eggs and not facts.is_a("fat") and needs_pan(facts)
+            return fried_before or (bath and facts.is_a("egg"))
+
+        found = [join for join in foods if comes_by_itself(join.want.facts)]
         for joins in self.at.values():
             joins[:] = [join for join in joins if join not in found]
         return found
@@ -249,81 +280,57 @@ class _Phaser:
     def _bath_of(self, line: Line) -> list[Join]:
         """Return what of a line may be liquid to cook in: not drained water, nor what eggs are beaten with."""
         foods = self._foods(line)
-        drained = self._strains(line.stages[-1]) or any(join.want.facts.is_a("egg") for join in foods)
-        return [] if drained else foods
+        return [] if self._strains(line.stages[-1]) or any_is(foods, "egg") else foods
 
     def _phase_of_line(self, line: Line, *, bath: bool) -> str:
-        """Return when what is made beside the vessel joins: with the first of its foods that does not only fry.
+        """Return when what is made beside the vessel joins.
 
         What was boiled and drained is done, and only gets hot again.
         """
         if self._strains(line.stages[-1]):
-            return _LAST if bath else _WET
-        facts = [join.want.facts for join in self._foods(line)]
+            return LAST if bath else WET
         if bath and self.plan.one_pot and any("shape" in stage.does for stage in line.stages):
-            return _SOON  # whoever stirs raw balls with the vegetables has none
-        if any(one.is_a(*word_list("is flesh")) for one in facts):
-            return _FRIED
-        order = (_WET, _SOON, _LAST) if bath else (_SOON, _WET, _LAST)
-        phases = {_suited(one, fat=True, bath=bath) for one in facts}
-        return next((name for name in order if name in phases), _WET)
+            return SOON  # whoever stirs raw balls with the vegetables has none
+        return phase_together([join.want.facts for join in self._foods(line)], bath=bath)
 
-    def _water(self, run: Sequence[Stage], joins: Sequence[Join], *, fat: bool) -> Slot | None:
+    def _water(self, vessel: _Vessel, *, fat: bool) -> Slot | None:
         """Return the free water of the video where something has to cook in it that is not fried."""
-        slot = next((slot for stage in run for slot in stage.slots if slot.food == "water"), None)
-        if slot is None and self.plan.one_pot:
-            slot = Slot("water", "water")  # there is no such dish without a liquid
-        boils = any(
-            "boil" in one.facts.owes and not one.cooked and not one.facts.is_a(*word_list("is boiled by itself"))
-            for one in (join.want for join in joins)
-        )
-        asked = any(join.want.facts.is_a("water") for join in self.plan.joins)
-        return slot if not asked and (not fat or boils or self.plan.one_pot) else None
+        if any_is(self.plan.joins, "water"):
+            return None
+        one_pot = self.plan.one_pot
+        if fat and not one_pot and not any(_has_to_boil_here(join.want) for join in vessel.joins):
+            return None
+        if vessel.water is None and one_pot:
+            return Slot("water", "water")  # there is no such dish without a liquid
+        return vessel.water
 
-    def _as_a_whole(self, comers: Sequence[_Comer], within: Sequence[Join], *, bath: bool) -> list[_Comer]:
+    def _as_a_whole(self, comers: Sequence[Comer], within: Sequence[Join], *, bath: bool) -> list[Comer]:
         """Let grain come with water, and eggs before rice and noodles, but after them in a sauce with cheese."""
         if bath:
-            return _untoasted(comers)
-        facts = [join.want.facts for join in within]
-        first = any(one.is_a(*word_list("is eaten with a sauce")) for one in facts) and not any(
-            one.is_a(*word_list("makes a sauce with eggs")) for one in facts
-        )
-        eggs = _EGGS_FIRST if first else _EGGS
+            return untoasted(comers)
+        eaten_with_a_sauce = any_is(within, *word_list("is eaten with a sauce"))
+        first = eaten_with_a_sauce and not any_is(within, *word_list("makes a sauce with eggs"))
+        eggs = EGGS_FIRST if first else EGGS
         return [replace(one, phase=eggs) if self._is_egg(one) else one for one in comers]
 
-    def _is_egg(self, comer: _Comer) -> bool:
+    def _is_egg(self, comer: Comer) -> bool:
         if comer.facts is not None:
             return comer.facts.is_a("egg")
-        return isinstance(comer.what, Line) and any(j.want.facts.is_a("egg") for j in self._foods(comer.what))
+        return isinstance(comer.what, Line) and any_is(self._foods(comer.what), "egg")
 
-    def _stages(
-        self,
-        run: Sequence[Stage],
-        hot: Sequence[Stage],
-        parts: Sequence[Sequence[_Comer]],
-        *,
-        bath: bool,
-        small: bool,
-    ) -> tuple[Stage, ...]:
-        stirs = next((stage for stage in hot if stage.does >= {"heat", "mix"}), None)
-        simmers = next((stage for stage in hot if "liquid" in stage.does or "mix" not in stage.does), None)
+    def _stages(self, vessel: _Vessel, parts: Sequence[Sequence[Comer]], *, bath: bool) -> tuple[Stage, ...]:
+        """Return a stage for each of ``parts``, the foods of which join there; the last is what the run has made."""
+        small = bath or any_is(vessel.within, "egg", *word_list("is eaten with a sauce"))
         stages: list[Stage] = []
-        for number, part in enumerate(parts):
-            last = number == len(parts) - 1
-            wet = bath and any(comer.phase == _WET and (comer.is_solid or comer.is_water) for comer in part)
-            told = hot[-1] if last and not wet else simmers if wet else stirs
-            phase = _as_phase(told or hot[-1], part, run[-1] if last else None, bath=bath, small=small)
-            dry = not bath and "liquid" in phase.does  # there is none
-            lumpy = wet and _thickens(parts[: number + 1])
-            if dry or lumpy or (told is None and not wet):
-                phase = replace(phase, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
-            elif told is None:
-                phase = replace(phase, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
+        for number, part in enumerate(parts, start=1):
+            last = number == len(parts)
+            pattern = vessel.pattern(parts[:number], bath=bath, last=last)
+            phase = _as_phase(pattern, part, vessel.run[-1] if last else None, bath=bath, small=small)
             stages.append(phase)
             self._place(part, phase)
         return tuple(stages)
 
-    def _place(self, part: Sequence[_Comer], phase: Phase) -> None:
+    def _place(self, part: Sequence[Comer], phase: Phase) -> None:
         """Let the foods of ``part`` join at ``phase``, in their order."""
         for comer in part:
             if isinstance(comer.what, Join):
@@ -331,17 +338,20 @@ class _Phaser:
                 self.order.append(comer.what.want.number)
 
 
-def _thickens(parts: Sequence[Sequence[_Comer]]) -> bool:
-    """Whether the last of ``parts`` is what is poured on fat and flour, with nothing to be cooked in it."""
-    *before, last = parts
-    facts = [comer.facts for part in before for comer in part if comer.facts is not None]
-    bound = any(one.is_a("flour") for one in facts) and any(one.is_a("fat") for one in facts)
-    poured = [comer.facts for comer in last]
-    wet = word_list("is stirred on flour")
-    return bound and all(one is not None and (one.is_a(*wet) or _seasons(one)) for one in poured)
+def _lines_at(stage: Stage) -> Iterable[Line]:
+    return (add for add in stage.adds if isinstance(add, Line))
 
 
-def _as_phase(pattern: Stage, part: Sequence[_Comer], end: Stage | None, *, bath: bool, small: bool) -> Phase:
+def _with_adds(stage: Stage, lines: Mapping[int, Line]) -> Stage:
+    """Return a stage with its lines as they are in ``lines``, by the identity that they had."""
+    return replace(stage, adds=tuple(lines.get(id(add), add) for add in stage.adds))
+
+
+def _is_mixed_cold(line: Line) -> bool:
+    return all(stage.does <= {"mix", "move", "whip"} for stage in line.stages)
+
+
+def _as_phase(pattern: Stage, part: Sequence[Comer], end: Stage | None, *, bath: bool, small: bool) -> Phase:
     slots = [comer.what.slot if isinstance(comer.what, Join) else comer.what for comer in part]
     return Phase(
         tuple(slot for slot in slots if slot is not None), pattern.motion, pattern.does, pattern.tools, pattern.vessel,
@@ -350,94 +360,21 @@ def _as_phase(pattern: Stage, part: Sequence[_Comer], end: Stage | None, *, bath
     )  # fmt: skip
 
 
-def _untoasted(comers: Sequence[_Comer]) -> list[_Comer]:
-    """Let grain come with the water where nothing else comes with that: one cooking is told of both."""
-    if not all(one.is_water for one in comers if one.phase == _WET):
-        return list(comers)
-    toasted = word_list("is toasted")
-    return [replace(c, phase=_WET) if c.facts is not None and c.facts.is_a(*toasted) else c for c in comers]
+def _done_like(stage: Stage, pattern: Stage) -> Stage:
+    """Return a stage in its own vessel, cooked by the motion of ``pattern``."""
+    return replace(stage, motion=pattern.motion, does=pattern.does, tools=pattern.tools)
 
 
-def _parts(comers: Sequence[_Comer], order: Sequence[str]) -> list[list[_Comer]]:
-    """Part what joins by its phases; what only seasons, and fat, makes no phase of its own."""
-    parts: list[list[_Comer]] = []
-    waiting: list[_Comer] = []
-    for name in order:
-        here = sorted((comer for comer in comers if comer.phase == name), key=lambda comer: comer.rank)
-        solid = [one for one in here if one.is_solid]
-        water = [one for one in here if one.is_water]
-        if solid or 0 < len(water) < len(here):
-            parts.append([*waiting, *here])
-            waiting = []
-        elif parts and not water:
-            parts[-1] += here
-        else:
-            waiting += here
-    if waiting:
-        parts.append(waiting)
-    return parts
+def _is_bath_for_eggs(facts: Food) -> bool:
+    """Whether eggs are stirred into a food that boils; they are beaten with a little milk before they are fried."""
+    return is_bath(facts) and not facts.is_a(*word_list("is beaten with eggs"))
 
 
-def is_strewn(join: Join) -> bool:
-    """Whether a food is strewn on what is done; leaves that give their taste only by and by are not."""
-    facts = join.want.facts
-    return join.on_top or (facts.is_a("topping", "herb") and phase_of(facts) == _LAST)
-
-
-def _needs_pan(facts: Food) -> bool:
-    """Whether a food is not done when eggs set around it."""
-    raw = facts.is_a(*word_list("is flesh")) and not facts.is_a("ready")
-    return raw or phase_of(facts) == _FRIED or facts.is_a(*word_list("takes long in the pan"))
-
-
-def _makes_a_sauce(joins: Sequence[Join]) -> bool:
-    """Whether flour is stirred into fat, and something is poured on it."""
-    facts = [join.want.facts for join in joins]
-    other = any(one.is_a("leaven", *word_list("makes no sauce of flour")) for one in facts)
-    told = any(one.is_a("flour") for one in facts) and any(one.is_a("fat") for one in facts)
-    return told and not other and any(one.is_of(*_BATHS) for one in facts)
+def _has_to_boil_here(want: Want) -> bool:
+    """Whether a food is not done unless it is boiled, and nobody boils such by itself."""
+    boiled_apart = want.cooked or want.facts.is_a(*word_list("is boiled by itself"))
+    return "boil" in want.facts.owes and not boiled_apart
 
 
 def _same_place(one: Stage, other: Stage) -> bool:
     return one.vessel == other.vessel and one.appliance == other.appliance
-
-
-def _is_bath(facts: Food) -> bool:
-    return facts.is_of(*_BATHS) and not facts.is_a(*word_list("is no bath"))
-
-
-def _seasons(facts: Food) -> bool:
-    """Whether a food only seasons what is cooked: cheese and bacon are salty, yet more than that."""
-    more = facts.is_a("ready", *word_list("is cooked in phases")) or _is_bath(facts)
-    return facts.is_a(*word_list("only flavours")) and not more
-
-
-def _phase_in(join: Join, *, fat: bool, bath: bool, apart: bool) -> str:
-    """Return in which phase an asked food joins: what no knife cuts takes as long as anything in the liquid.
-
-    ``apart``: what is boiled and drained is boiled by itself, and done when it joins.
-    """
-    facts = join.want.facts
-    done = join.want.cooked or join.want.asked in word_list("is so by dry heat")
-    done = done or (apart and facts.is_a(*word_list("is boiled by itself")))
-    if bath and done and facts.is_a(*word_list("is stirred in last when it is done")):
-        return _LAST
-    hard = facts.is_a(*word_list("is flesh")) and not word_list("is no work for a knife").isdisjoint(
-        words(join.want.label)
-    )
-    late = phase_of(facts) in {_SOON, _LAST}
-    return _WET if bath and hard and late else _suited(facts, fat=fat, bath=bath)
-
-
-def _suited(facts: Food, *, fat: bool, bath: bool) -> str:
-    """Return in which phase a food joins where there is fat to fry in and a liquid to cook in, or not."""
-    phase = phase_of(facts)
-    if phase in {_FRIED, _BINDS} and not fat:
-        return _WET
-    if not bath and facts.is_a(*word_list("is boiled by itself")):
-        return _WET  # it is done already
-    if phase == _WET and not bath and facts.is_a(*word_list("takes long in the pan")):
-        return _FRIED
-    if phase == _WET and bath and fat and facts.is_a(*word_list("is toasted")):
-        return _BINDS
-    return phase

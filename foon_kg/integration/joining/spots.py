@@ -6,7 +6,7 @@ later, and whether they are the dish's own line or one that joins it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -87,6 +87,11 @@ class Join:
     slot: Slot | None = None
     layer: int = 0
     on_top: bool = False
+
+
+def any_is(joins: Iterable[Join], *kinds: str) -> bool:
+    """Whether one of the foods of ``joins`` is of one of ``kinds``, has such a trait, or is called so."""
+    return any(join.want.facts.is_a(*kinds) for join in joins)
 
 
 def only_carries(stage: Stage) -> bool:

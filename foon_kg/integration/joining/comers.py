@@ -1,0 +1,187 @@
+"""What joins one vessel over the heat, and in which phase: what it is decides that, not where a video has it.
+
+How the stages of that vessel are made of these phases is in :mod:`~foon_kg.integration.joining.phases`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from foon_kg.food import Food, words
+from foon_kg.food.lists import word_list
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.teaching.frames import Line, Slot
+
+_BATHS = tuple(word_list("is a bath"))
+ORDER = ("is fried", "is stirred into the fat", "cooks in the liquid", "is done soon", "is stirred in last")
+FRIED, BINDS, WET, SOON, LAST = ORDER
+EGGS_FIRST, EGGS = "eggs before what is boiled", "eggs"
+DRY_ORDER = (FRIED, BINDS, SOON, EGGS_FIRST, WET, EGGS, LAST)
+_MOST_TELLING = (LAST, SOON, BINDS, FRIED, WET)
+
+
+@dataclass(frozen=True)
+class Comer:
+    """What joins a vessel over the heat: an asked food, a line, or water that nobody asked for."""
+
+    what: Join | Line | Slot
+    facts: Food | None
+    phase: str
+
+    @property
+    def rank(self) -> tuple[bool, bool, bool]:
+        """Its place within its phase: fat first, then what takes longest, seasoning at the end."""
+        facts = self.facts
+        if facts is None:
+            return (True, True, False)
+        first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"))
+        return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts))
+
+    @property
+    def is_solid(self) -> bool:
+        """Whether something comes that is cooked, and no mere fat or seasoning."""
+        if self.is_water:
+            return False
+        return self.facts is None or not (self.facts.is_a("fat") or _seasons(self.facts))
+
+    @property
+    def is_water(self) -> bool:
+        """Whether it is water: to boil it is nothing to be told, but what joins it then is."""
+        return isinstance(self.what, Slot) or (self.facts is not None and self.facts.is_a("water"))
+
+
+@dataclass(frozen=True)
+class Medium:
+    """What foods cook in: hot ``fat``, a liquid (``bath``), or both; ``water`` is that which nobody asked for."""
+
+    fat: bool
+    bath: bool
+    water: Slot | None = None
+
+
+def phase_of(facts: Food) -> str:
+    """Return in which phase a food joins a vessel over the heat: by its name or kind, else by the broader ones."""
+    for own in (facts.taken_for, facts.kind):
+        for name in _MOST_TELLING:
+            if own in word_list(name):
+                return name
+    return next((name for name in _MOST_TELLING if facts.is_a(*word_list(name))), WET)
+
+
+def phase_in(join: Join, medium: Medium, *, apart: bool) -> str:
+    """Return in which phase an asked food joins: what no knife cuts takes as long as anything in the liquid.
+
+    ``apart``: what is boiled and drained is boiled by itself, and done when it joins.
+    """
+    facts = join.want.facts
+    if not medium.bath:
+        return phase_suited(facts, medium)
+    done = join.want.cooked or join.want.asked in word_list("is so by dry heat")
+    done = done or (apart and facts.is_a(*word_list("is boiled by itself")))
+    if done and facts.is_a(*word_list("is stirred in last when it is done")):
+        return LAST
+    uncut = not word_list("is no work for a knife").isdisjoint(words(join.want.label))
+    hard = uncut and facts.is_a(*word_list("is flesh"))
+    return WET if hard and phase_of(facts) in {SOON, LAST} else phase_suited(facts, medium)
+
+
+def phase_suited(facts: Food, medium: Medium) -> str:
+    """Return in which phase a food joins where there is fat to fry in and a liquid to cook in, or not."""
+    phase = phase_of(facts)
+    if phase in {FRIED, BINDS} and not medium.fat:
+        return WET
+    if medium.bath:
+        toasted = phase == WET and medium.fat and facts.is_a(*word_list("is toasted"))
+        return BINDS if toasted else phase
+    if facts.is_a(*word_list("is boiled by itself")):
+        return WET  # it is done already
+    return FRIED if phase == WET and facts.is_a(*word_list("takes long in the pan")) else phase
+
+
+def phase_together(foods: Sequence[Food], *, bath: bool) -> str:
+    """Return when foods join that were put together beside the vessel: with the first that does not only fry."""
+    if any(one.is_a(*word_list("is flesh")) for one in foods):
+        return FRIED
+    phases = {phase_suited(one, Medium(fat=True, bath=bath)) for one in foods}
+    order = (WET, SOON, LAST) if bath else (SOON, WET, LAST)
+    return next((name for name in order if name in phases), WET)
+
+
+def in_parts(comers: Sequence[Comer], order: Sequence[str]) -> list[list[Comer]]:
+    """Return what joins, parted by its phases; what only seasons, and fat, makes no phase of its own."""
+    parts: list[list[Comer]] = []
+    waiting: list[Comer] = []
+    for name in order:
+        here = sorted((comer for comer in comers if comer.phase == name), key=lambda comer: comer.rank)
+        if _makes_a_phase(here):
+            parts.append([*waiting, *here])
+            waiting = []
+        elif parts and not any(one.is_water for one in here):
+            parts[-1] += here
+        else:
+            waiting += here
+    if waiting:
+        parts.append(waiting)
+    return parts
+
+
+def _makes_a_phase(comers: Sequence[Comer]) -> bool:
+    water = [one for one in comers if one.is_water]
+    return any(one.is_solid for one in comers) or 0 < len(water) < len(comers)
+
+
+def untoasted(comers: Sequence[Comer]) -> list[Comer]:
+    """Return ``comers``, grain with the water where nothing else comes with that: one cooking is told of both."""
+    if not all(one.is_water for one in comers if one.phase == WET):
+        return list(comers)
+    toasted = word_list("is toasted")
+    return [replace(c, phase=WET) if c.facts is not None and c.facts.is_a(*toasted) else c for c in comers]
+
+
+def boils(comers: Iterable[Comer]) -> bool:
+    """Whether something of ``comers`` is to be cooked in a liquid, or is that."""
+    return any(one.phase == WET and (one.is_solid or one.is_water) for one in comers)
+
+
+def thickens(parts: Sequence[Sequence[Comer]]) -> bool:
+    """Whether the last of ``parts`` is what is poured on fat and flour, with nothing to be cooked in it."""
+    *before, last = parts
+    facts = [comer.facts for part in before for comer in part if comer.facts is not None]
+    bound = any(one.is_a("flour") for one in facts) and any(one.is_a("fat") for one in facts)
+    return bound and all(_is_stirred_on_flour(comer.facts) for comer in last)
+
+
+def _is_stirred_on_flour(facts: Food | None) -> bool:
+    return facts is not None and (facts.is_a(*word_list("is stirred on flour")) or _seasons(facts))
+
+
+def is_strewn(join: Join) -> bool:
+    """Whether a food is strewn on what is done; leaves that give their taste only by and by are not."""
+    facts = join.want.facts
+    return join.on_top or (facts.is_a("topping", "herb") and phase_of(facts) == LAST)
+
+
+def needs_pan(facts: Food) -> bool:
+    """Whether a food is not done when eggs set around it."""
+    raw = facts.is_a(*word_list("is flesh")) and not facts.is_a("ready")
+    return raw or phase_of(facts) == FRIED or facts.is_a(*word_list("takes long in the pan"))
+
+
+def makes_a_sauce(joins: Sequence[Join]) -> bool:
+    """Whether of foods flour is stirred into fat, and something is poured on it."""
+    facts = [join.want.facts for join in joins]
+    other = any(one.is_a("leaven", *word_list("makes no sauce of flour")) for one in facts)
+    told = any(one.is_a("flour") for one in facts) and any(one.is_a("fat") for one in facts)
+    return told and not other and any(one.is_of(*_BATHS) for one in facts)
+
+
+def is_bath(facts: Food) -> bool:
+    """Whether other foods cook in a food."""
+    return facts.is_of(*_BATHS) and not facts.is_a(*word_list("is no bath"))
+
+
+def _seasons(facts: Food) -> bool:
+    """Whether a food only seasons what is cooked: cheese and bacon are salty, yet more than that."""
+    more = facts.is_a("ready", *word_list("is cooked in phases")) or is_bath(facts)
+    return facts.is_a(*word_list("only flavours")) and not more
