@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 from foon_kg.food import Tables, words
+from foon_kg.food.bites import is_eaten_by_bites
 from foon_kg.food.lists import word_list
 from foon_kg.food.techniques import Technique
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.choice import Fit, is_truly
 from foon_kg.goals.score import missing_core, unexplained
+from foon_kg.integration.joining.course import Plan
 from foon_kg.integration.joining.spots import Join
 from foon_kg.model import DISH_TYPES
 from foon_kg.model.errors import UsageError
@@ -80,3 +83,30 @@ def made_as(dish_type: str, title: str, known: Tables) -> str:
         return dish_type
     dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
     return next((name for name in dressed if name in DISH_TYPES), dish_type)
+
+
+def as_told(plan: Plan, asked: Asked, tin: str) -> Plan:
+    """Return a ``plan`` with what the words of type and title of what is ``asked`` say of the whole dish.
+
+    ``tin`` is what its batter or dough is baked in.
+    """
+    told = frozenset((*asked.type_words, *asked.told))
+    return replace(
+        plan,
+        tin=tin,
+        stacked=asked.stacked,
+        cold=_is_one(told, "is served cold"),
+        flat=_is_one(told, "is rolled out"),
+        grilled=asked.stacked and asked.grilled,
+        in_pieces=asked.dressed,
+        laid=asked.laid,
+        spooned=_is_one(told, "boils in the dish"),
+        by_bites=is_eaten_by_bites(told, asked.dishes),
+        closed_by=closing(told, plan.joins),
+        portioned=_is_one(told, "is portioned"),
+    )
+
+
+def _is_one(told: Collection[str], name: str) -> bool:
+    """Whether one of the words of a title stands in the list of a name."""
+    return not word_list(name).isdisjoint(told)

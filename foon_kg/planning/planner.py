@@ -37,7 +37,7 @@ from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.planning.attempt import Attempt
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.planning.considered import Considered, nearer_goals, other_goals
-from foon_kg.planning.dish_names import closing, eased, has_its_name, made_as, refuse_unknown_type
+from foon_kg.planning.dish_names import as_told, eased, has_its_name, made_as, refuse_unknown_type
 from foon_kg.planning.explanation import Explanation, explanations
 from foon_kg.planning.likes import FAIR, FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
@@ -266,7 +266,7 @@ class _Question:
         plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased(asked), one_pot=one_pot)
         drunk, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
         plan = replace(plan, drunk=drunk, cold=cold)
-        plan = self._as_told(plan, asked, tin) if self.technique is None else replace(plan, by_table=True)
+        plan = as_told(plan, asked, tin) if self.technique is None else replace(plan, by_table=True)
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
@@ -289,23 +289,6 @@ class _Question:
             asks=self.asks,
             sides=self.sides,
         )  # fmt: skip
-
-    def _as_told(self, plan: Plan, asked: Asked, tin: str) -> Plan:
-        """Return a plan with what the words of type and title say of the whole dish."""
-        told = frozenset((*asked.type_words, *asked.told))
-        return replace(
-            plan,
-            tin=tin,
-            stacked=asked.stacked,
-            cold=not word_list("is served cold").isdisjoint(told),
-            flat=not word_list("is rolled out").isdisjoint(told),
-            grilled=asked.stacked and asked.grilled,
-            in_pieces=asked.dressed,
-            laid=asked.laid,
-            spooned=not word_list("boils in the dish").isdisjoint(told),
-            closed_by=closing(told, plan.joins),
-            portioned=not word_list("is portioned").isdisjoint(told),
-        )
 
     def _result(self, fit: Fit, tree: FinalTree, dish_type: str) -> PlanResult:
         frame = fit.frame

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from foon_kg.food import Level, singular, words
+from foon_kg.food.bites import is_eaten_by_bites
 from foon_kg.food.lists import word_list
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
@@ -21,6 +22,9 @@ ENOUGH = {
     "choke": frozenset({"choke", "core"}),
 }
 """What does for each treatment that a food asks for."""
+
+_HALVED = 1
+"""How fine a food in halves is (:class:`~foon_kg.food.rows.State`)."""
 
 _WHOLE = {
     "cut": "in one piece", "peel": "in its skin", "shell": "in its shell", "core": "with its core",
@@ -79,6 +83,18 @@ def whole(case: Case) -> Iterator[Finding]:
             )
         if part.food.is_a(*word_list("is taken out of the dish")) and _is_left_in(case, part):
             yield Finding("K2", f"{part.name} is in the dish, and nobody eats it", minor=True)
+    yield from _more_than_a_bite(case)
+
+
+def _more_than_a_bite(case: Case) -> Iterator[Finding]:
+    """Yield what is in halves that are more than a bite, in a dish that is eaten with a spoon or fork alone."""
+    title = case.recipe.title or "" if case.recipe else ""
+    told = [word for text in (*case.dish_types, title) for word in words(text)]
+    if not is_eaten_by_bites(told, case.tables.dishes_named(*case.dish_types, title)):
+        return
+    for part in case.parts:
+        if part.fine == _HALVED and part.food.is_a(*word_list("is more than a bite in halves")):
+            yield Finding("K2", f"half of one {part.name} is more than a bite", minor=True)
 
 
 def _is_left_in(case: Case, part: Part) -> bool:

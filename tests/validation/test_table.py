@@ -298,6 +298,21 @@ def test_k2_what_does_not_take_it_away(food, motion, left):
     assert [told for told in worked(food, motion, "ready") if told.endswith(left)]
 
 
+@pytest.mark.parametrize(
+    ("dish", "food", "told"),
+    [
+        ("salad", "pear", ["K2 (minor): half of one pear is more than a bite"]),
+        ("salad\ntitle: Grilled Pear Salad", "pear", []),
+        ("roast", "pear", []),
+        ("sandwich", "pear", []),
+        ("salad", "radish", []),
+    ],
+)
+def test_k2_halves_are_no_bites_of_what_is_eaten_without_a_knife(dish, food, told):
+    step = f"{food} (cored) + plate (empty) + knife → CUT → {food} (halved; on plate) + plate ({{{food}}})"
+    assert [one for one in found("K2", f"dish: {dish}\n{step}") if "bite" in one] == told
+
+
 def test_k2_remains_are_no_food():
     peel = "banana (whole) + hand + plate (empty) → PEEL → banana (peeled) + banana (skin; on plate) + plate ({banana})"
     text = f"goal: banana (skin; on plate)\n{peel}"

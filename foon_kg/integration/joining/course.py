@@ -27,8 +27,9 @@ class Plan:
     ``one_pot``: what is boiled is boiled in it; ``cold``: it is served cold; ``flat``: its dough is rolled out;
     ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork;
     ``laid``: it lies on dough, and bakes no longer than that; ``portioned``: its dough is cut into pieces;
-    ``spooned``: all that is in it is eaten with the spoon; ``drunk``: it is served in a glass;
-    ``closed_by``: what is done at last to bread around what lies on it; ``by_table``: a technique says all of it.
+    ``spooned``: all that is in it is eaten with the spoon; ``by_bites``: with a spoon or fork alone;
+    ``drunk``: it is served in a glass; ``closed_by``: what is done at last to bread around what lies on it;
+    ``by_table``: a technique says all of it.
     """
 
     label: str
@@ -46,6 +47,7 @@ class Plan:
     laid: bool = False
     portioned: bool = False
     spooned: bool = False
+    by_bites: bool = False
     drunk: bool = False
     closed_by: str = ""
     by_table: bool = False

@@ -103,6 +103,8 @@ class Cooking:
         ready = self.preparer.prepare(want, form, divided=not blended, alone=bool(first))
         if first:
             ready = self._cut_once_done(ready)
+        elif self.plan.by_bites and not blended:
+            self.preparer.cut_to_bites(ready)
         self.ready[want.number] = ready
         self.alone.beaten_first(join, ready)
         if want.facts.is_a(*word_list("is the water of a pot")):
@@ -114,7 +116,8 @@ class Cooking:
         """Return in which states a food joins as far as nobody asked: as the slot has it, or as such a dish needs."""
         facts, stage = join.want.facts, join.spot.stage
         pulled = any(one.motion in word_list("pulls flesh apart") for one in join.spot.after)
-        small = isinstance(stage, Phase) and stage.small and not pulled
+        bites = self.plan.by_bites and not self.plan.in_pieces  # that is cut when it is cooked
+        small = (bites or (isinstance(stage, Phase) and stage.small)) and not pulled
         needs = [
             ("halved", self.plan.stacked, "is split"),
             ("sliced", self.plan.stacked, "is sliced to be stacked"),
@@ -171,6 +174,7 @@ class Cooking:
         """Have what is eaten in pieces cut when it is cooked."""
         pieces = self.plan.in_pieces and ready.want.facts.is_a(*word_list("is cut once it is cooked"))
         thick = self.plan.laid and ready.want.facts.is_a(*word_list("is flesh"))
+        thick = thick or (self.plan.by_bites and ready.want.facts.is_a(*word_list("is cut for a dish")))
         flat = self.plan.stacked and ready.want.facts.is_a(*word_list("is fried rather than boiled"))
         pieces = pieces or (self.plan.stacked and ready.want.facts.is_a(*word_list("is cut to be stacked")))
         if pieces or thick or (self.alone.is_asked_done(ready.want) and not flat):

@@ -38,6 +38,9 @@ _DONE_WITH = {"stone": "core", "peel": "husk"}
 
 _OPEN = "open"
 
+_HALVED = 1
+"""How fine a food in halves is (:class:`~foon_kg.food.rows.State`)."""
+
 
 class Preparer(Cutter):
     """Prepares foods on a bench."""
@@ -157,8 +160,15 @@ class Preparer(Cutter):
         """Have a food cut when it is cooked, unless it is in pieces or is cut anyway."""
         states = (*ready.stuff.states, ready.want.make) if ready.want.make else ready.stuff.states
         whole = not any((self.known.state(state).fine or 0) > 0 for state in states)
-        if whole and not ready.cut_later:
+        if whole and not ready.cut_later and not self._is_no_work_for_a_knife(ready.want):
             ready.cut_later = self.usual_cut(ready.want)
+
+    def cut_to_bites(self, ready: Ready) -> None:
+        """Cut a food again of which half of one is too large to be eaten with a spoon or fork."""
+        rows = [self.known.state(state) for state in ready.stuff.states]
+        halves = any((row.fine or 0) == _HALVED for row in rows) and not any((row.fine or 0) > _HALVED for row in rows)
+        if halves and ready.want.facts.is_a(*word_list("is more than a bite in halves")):
+            self._cut(ready, self.usual_cut(ready.want))
 
     def cut_now(self, ready: Ready) -> None:
         """Cut or mash what had to be cooked before."""
@@ -264,10 +274,7 @@ class Preparer(Cutter):
         asked = self.known.state(want.make) if want.make else None
         if asked is not None and (asked.fine or 0) > 0:
             return want.make
-        hard = want.facts.is_a(*word_list("is flesh")) and not word_list("is no work for a knife").isdisjoint(
-            words(want.label)
-        )
-        hard = hard or want.facts.is_a(*word_list("is a mouthful"))
+        hard = self._is_no_work_for_a_knife(want) or want.facts.is_a(*word_list("is a mouthful"))
         rows = [self.known.state(state) for state in want.leaf if not self._is_still_whole(want, state)]
         if hard or not divided or any((row.fine or 0) > 0 or "cut" in row.earns for row in rows):
             return ""
@@ -288,6 +295,11 @@ class Preparer(Cutter):
         if "cut" in due:
             return self.usual_cut(want)
         return ""
+
+    def _is_no_work_for_a_knife(self, want: Want) -> bool:
+        """Whether a food is flesh that no knife cuts small, as its name says."""
+        hard = not word_list("is no work for a knife").isdisjoint(words(want.label))
+        return hard and want.facts.is_a(*word_list("is flesh"))
 
     def _is_still_whole(self, want: Want, state: str) -> bool:
         """Whether a food that is sold so is still to be cut, though the word is one of a part: a clove, a steak."""

@@ -1,0 +1,18 @@
+"""How a dish is eaten, as its type and title tell: with a spoon or fork alone, or with a knife beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Dish
+
+
+def is_eaten_by_bites(told: Collection[str], dishes: Collection[Dish]) -> bool:
+    """Return whether whoever eats a dish has no knife, so that nothing in it may be more than a bite.
+
+    ``told`` are the words of its type and title, ``dishes`` those that these name.
+    """
+    if any(dish.stacked or dish.laid for dish in dishes) or not word_list("is eaten with a knife").isdisjoint(told):
+        return False
+    return not word_list("is eaten by bites").isdisjoint(told)
