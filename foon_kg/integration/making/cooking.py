@@ -17,10 +17,11 @@ from foon_kg.integration.composing.crowned import crowned
 from foon_kg.integration.joining.course import COATS, HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.phases import in_phases
 from foon_kg.integration.joining.spots import Join
-from foon_kg.integration.making.alone import Alone
+from foon_kg.integration.making.alone import Alone, says_raw
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.dipping import Dipping
 from foon_kg.integration.making.placing import Placing
+from foon_kg.integration.making.precooking import Precooking
 from foon_kg.integration.making.serving import Serving
 from foon_kg.integration.making.stages import Stages
 from foon_kg.integration.making.working import Worker
@@ -48,8 +49,9 @@ class Cooking:
         self.course = Course(line, plan)
         self.preparer = Preparer(bench)
         self.carry = Carrier(bench, self.preparer)
-        self.alone = Alone(bench, self.course, self.preparer, self.carry, self.ready)
-        self.work = Worker(bench, plan, self.alone)
+        self.precooking = Precooking(bench, self.course, self.preparer)
+        self.alone = Alone(self.precooking, self.carry, self.ready)
+        self.work = Worker(bench, plan)
         self.serving = Serving(bench, plan, self.carry, self.work, self.ready)
         self.dipping = Dipping(bench, self.carry, self.work, self.ready)
         self.stages = Stages(self.course, plan, self.known)
@@ -64,7 +66,7 @@ class Cooking:
             self._prepare(join)  # raw meat last: nothing else comes under its knife
         self.bench.phase = "heat"
         for join in self.course.in_order():
-            method = self.alone.cooked_first(join)
+            method = self.precooking.method(join)
             if method and self.plan.stacked and join.want.facts.is_a(*word_list("carries what is stacked")):
                 self.base_late[join.want.number] = method
             elif method and self.stages.is_boiled_late(join.spot.stage) and join.want.facts.is_a(*_BY_ITSELF):
@@ -94,8 +96,8 @@ class Cooking:
         form = self._form(join)
         want = self._as_eaten(join, blended=blended)
         self.bench.phase = "prepare"
-        first = self.alone.cooked_first(join)
-        whole = first and not self.alone.is_fried_open(want)
+        first = self.precooking.method(join)
+        whole = first and not self.precooking.is_fried_open(want)
         if whole and "shell" in want.facts.owes and form_of(self.known, want.label, want.leaf) != "liquid":
             taken = self.bench.fetch(want.label, want.leaf, [want.number], want.storage)
             self.ready[want.number] = self._cut_once_done(Ready(want, taken, whole_shell=True, cut_later=want.then))
@@ -177,7 +179,7 @@ class Cooking:
         thick = thick or (self.plan.by_bites and ready.want.facts.is_a(*word_list("is cut for a dish")))
         flat = self.plan.stacked and ready.want.facts.is_a(*word_list("is fried rather than boiled"))
         pieces = pieces or (self.plan.stacked and ready.want.facts.is_a(*word_list("is cut to be stacked")))
-        if pieces or thick or (self.alone.is_asked_done(ready.want) and not flat):
+        if pieces or thick or (self.precooking.is_asked_done(ready.want) and not flat):
             self.preparer.cut_once_done(ready)
         return ready
 
@@ -410,7 +412,7 @@ class Cooking:
         product = (bool(label) or (mixes and not heats)) and not self.stages.is_drained_next(vessel, later)
         states = self.work.states(stage, vessel, attested.way, product=product, finished=finished)
         if fried is not None:
-            states = tuple(sorted({*states, *(s for s in fried.states if not self.alone.says_raw(s))}))
+            states = tuple(sorted({*states, *(s for s in fried.states if not says_raw(s, self.known))}))
         if product and [(stuff.label, stuff.states) for stuff in vessel.contents] == [(label or "mixture", states)]:
             return
         if product:

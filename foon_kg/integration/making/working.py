@@ -9,7 +9,7 @@ from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.joining.course import COATS, HEATS, MIXES, WORKS, Plan
-from foon_kg.integration.making.alone import Alone
+from foon_kg.integration.making.alone import says_raw
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Asked, Phase, Stage
 from foon_kg.integration.teaching.operators import Attested, Nearness, Way, is_liquid_fat
@@ -29,11 +29,10 @@ _RISEN = frozenset({"fermented", "proofed", "risen"})
 class Worker:
     """Works on foods on a bench, and tells what comes of it."""
 
-    def __init__(self, bench: Bench, plan: Plan, alone: Alone) -> None:
+    def __init__(self, bench: Bench, plan: Plan) -> None:
         self.bench = bench
         self.known: Tables = bench.known
         self.plan = plan
-        self.alone = alone
 
     def name(self, vessel: Vessel, label: str) -> None:
         """Let the last step tell what is in a vessel as one thing."""
@@ -117,7 +116,7 @@ class Worker:
                     stuff.wants |= frozenset().union(*(fat.wants for fat in clinging))
                 if not stuff.mixed and (facts.is_a("water") or is_liquid_fat(facts)):
                     continue  # however long it boils, and whatever is fried in it
-                kept = [s for s in stuff.states if not self.alone.says_raw(s)]
+                kept = [s for s in stuff.states if not says_raw(s, self.known)]
                 melts = (
                     facts.is_a("fat", *word_list("melts in the heat")) and not facts.is_a("liquid") and not stuff.mixed
                 )

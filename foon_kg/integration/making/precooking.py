@@ -1,0 +1,275 @@
+"""Whether a food is cooked by itself before it joins, and by which motions.
+
+Nothing is done here: :mod:`~foon_kg.integration.making.alone` does it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence, Set
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Bench
+from foon_kg.integration.composing.coated import is_portion
+from foon_kg.integration.joining.course import HEATS, Course
+from foon_kg.integration.joining.spots import Join, Spot
+from foon_kg.integration.preparing.preparation import Want, owed
+from foon_kg.integration.preparing.preparer import Preparer
+from foon_kg.integration.teaching.frames import Phase, Stage
+from foon_kg.integration.teaching.operators import Nearness, Way, form_of
+
+POWDER = 5
+"""How fine a powder is."""
+
+_MUCH_ALIKE = 0.8
+_BOIL, _FRY = ("boil",), ("cook",)
+
+
+class Precooking:
+    """Decides for the foods of one dish how each is cooked before it joins."""
+
+    def __init__(self, bench: Bench, course: Course, preparer: Preparer) -> None:
+        self.bench = bench
+        self.known: Tables = bench.known
+        self.course = course
+        self.plan = course.plan
+        self.preparer = preparer
+
+    def method(self, join: Join) -> tuple[str, ...]:
+        """Return the motions by which a food is cooked by itself before it joins; nothing where the dish cooks it."""
+        want, due = join.want, self._due(join.want)
+        if not (due or want.cooked):
+            return self._warming(join)
+        otherwise = self._otherwise(join)
+        if otherwise:
+            return otherwise
+        if want.cooked and want.asked in word_list("only what was cooked is so") and not self.pours(want):
+            return self._usual(want)
+        if self._is_cooked_in_turn(join, due) or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
+            return ()
+        return self._as_told(join, due) or self._unless_done_there(join, due)
+
+    def _due(self, want: Want) -> set[str]:
+        """Return of boiling and cooking what the food still needs to be eaten."""
+        return {"cook", "boil"} & owed(want, self.known)
+
+    # --- what is asked of a food ---
+
+    def is_asked_done(self, want: Want) -> bool:
+        """Whether a recipe begins with meat or fish that was cooked before: then it is boiled by itself, and cut."""
+        return want.make in word_list("begins cooked") and want.facts.is_a(*word_list("is flesh"))
+
+    def is_fried_open(self, want: Want) -> bool:
+        """Whether a food that runs out of its shell is asked done as only a pan does it."""
+        return want.make in word_list("is done in a pan") and self.pours(want)
+
+    def pours(self, want: Want) -> bool:
+        """Whether a food is opened over the dish and runs into it: such food is cooked as fast as anything."""
+        return "shell" in want.facts.owes and self.preparer.opening(want) is not None
+
+    def _is_cut_of_its_shell(self, want: Want) -> bool:
+        """Whether a food that runs out of its shell is asked in pieces or peeled: it is boiled in its shell."""
+        fine = self.known.state(want.make).fine or 0 if want.make else 0
+        peeled = want.asked in word_list("has no shell any more")
+        return (peeled or 0 < fine < POWDER) and self.pours(want)
+
+    def _is_thick(self, want: Want) -> bool:
+        """Whether a food is asked in such large pieces that it takes very long in a pan."""
+        halved = bool(want.make) and self.known.state(want.make).fine == 1
+        return halved and want.facts.is_a(*word_list("takes long in the pan"))
+
+    # --- cooked otherwise than its video or its kind says ---
+
+    def _otherwise(self, join: Join) -> tuple[str, ...]:
+        """Return how a food is cooked for which neither its video nor its kind is asked.
+
+        What a title calls roasted is baked, flesh for a salad fried whole, and what is divided then as it is asked.
+        """
+        want, stage = join.want, join.spot.stage
+        if want.roasted and not _is_done_there(join.spot, {"dry"}):
+            return tuple(sorted(word_list("is roasted by")))
+        if want.cooked and want.then:
+            return self._to_be_divided(want)
+        if self._is_thick(want) and self._comes_into_a_pan(join.spot):
+            return _BOIL  # it would be brown outside and raw within
+        if isinstance(stage, Phase) and self._takes_longer(want):
+            return _BOIL  # the grain would be mush when it is done
+        return _FRY if self._is_fried_whole(join) else ()
+
+    def _to_be_divided(self, want: Want) -> tuple[str, ...]:
+        """Return how a food is cooked that is cut or mashed then: as it is asked, else in water to be mashed."""
+        mashed = want.then in word_list("only what is soft is so") and want.make in word_list("begins cooked")
+        if mashed or not want.make or self._is_boiled(want.make):
+            return _BOIL
+        return self._asked_cooking(want) or self._usual(want)
+
+    def _comes_into_a_pan(self, spot: Spot) -> bool:
+        """Whether what joins there is first heated in a pan with no liquid in it."""
+        first = next((stage for stage in _stages(spot) if not stage.does.isdisjoint(HEATS)), None)
+        return first is not None and "dry" not in first.does and not self.course.has_liquid([first])
+
+    def _takes_longer(self, want: Want) -> bool:
+        """Whether pulses are asked beside grain that is done long before them; in a soup they have all the time."""
+        slow = word_list("takes longer than the rest")
+        if self.plan.spooned or not want.facts.is_a(*slow) or "boil" not in want.facts.owes:
+            return False
+        others = (join.want.facts for join in self.plan.joins if not join.want.facts.is_a(*slow))
+        return any(facts.is_a(*word_list("is toasted")) for facts in others)
+
+    def _is_fried_whole(self, join: Join) -> bool:
+        """Whether a portion comes to what is eaten with a fork, and nothing boils it there."""
+        portion = self.plan.in_pieces and is_portion(join.want, self.known)
+        return portion and not self.course.has_liquid([join.spot.stage])
+
+    # --- where the dish cooks it ---
+
+    def _is_cooked_in_turn(self, join: Join, due: Collection[str]) -> bool:
+        """Whether a food is cooked among the others in a vessel over the heat, in its turn and as it is."""
+        want = join.want
+        if not isinstance(join.spot.stage, Phase) or "boil" in due or want.cooked or want.then:
+            return False
+        return not self._is_cut_of_its_shell(want) and not self.preparer.is_mashed_raw(want)
+
+    def _as_told(self, join: Join, due: Collection[str]) -> tuple[str, ...]:
+        """Return how a food is cooked before whatever the dish would do to it; nothing where that may do."""
+        want = join.want
+        if self.is_fried_open(want) and not _is_done_there(join.spot, HEATS):
+            return _FRY
+        if self._is_cut_of_its_shell(want):
+            return _BOIL
+        shown = _shown(join)
+        if shown or want.then:
+            return shown or _BOIL
+        if self.preparer.is_mashed_raw(want) or (due and self.is_asked_done(want)):
+            return _by_kind(want)
+        return ()
+
+    def _unless_done_there(self, join: Join, due: Collection[str]) -> tuple[str, ...]:
+        """Return how a food is cooked before, unless it gets done where it joins."""
+        want = join.want
+        heats = [stage for stage in _stages(join.spot) if "heat" in stage.does]
+        if self._is_boiled_there(join, heats, due):
+            return ()
+        if "boil" in due or self._is_asked_boiled(want, heats):
+            return _BOIL
+        if heats and self._gets_done_there(join, due):
+            return ()
+        return self._asked_cooking(want) or self._usual(want)
+
+    def _is_boiled_there(self, join: Join, heats: Sequence[Stage], due: Collection[str]) -> bool:
+        """Whether a food gets done in the liquid of the dish, which the stages in ``heats`` heat."""
+        bath = [stage for stage in heats if "dry" not in stage.does]
+        if "boil" not in due or not bath or not self._may_boil(join) or not self.course.has_liquid(bath):
+            return False
+        by_itself = join.want.facts.is_a(*word_list("is boiled by itself")) and not self.plan.one_pot
+        return not by_itself or any(map(_is_drained, heats))
+
+    def _is_asked_boiled(self, want: Want, heats: Sequence[Stage]) -> bool:
+        """Whether a food is asked as only boiling makes it, and none of ``heats`` boils anything."""
+        return want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats)
+
+    def _may_boil(self, join: Join) -> bool:
+        """Whether a food can be boiled where it joins: in a phase over the heat only in a bath, or where it swells."""
+        stage = join.spot.stage
+        if not isinstance(stage, Phase):
+            return True
+        return not join.want.cooked and (stage.bath or self.course.swells_there(join))
+
+    def _gets_done_there(self, join: Join, due: Collection[str]) -> bool:
+        """Whether heat where a food joins, or later, makes it as it is asked."""
+        want = join.want
+        if self.plan.laid and want.facts.is_a(*word_list("is flesh")):
+            return False  # it would be raw when the dough is done
+        return self._cooks_there(join, due) and not _is_toasted(join)
+
+    def _cooks_there(self, join: Join, due: Collection[str]) -> bool:
+        """Whether a food gets done where it joins, and is not only warmed up there with foods that are done."""
+        quick = join.spot.post[0] == "heat" and join.slot is None and "cook" in due and not self.pours(join.want)
+        return not quick or self.course.has_liquid([join.spot.stage])
+
+    # --- how it is cooked then ---
+
+    def _asked_cooking(self, want: Want) -> tuple[str, ...]:
+        """Return the motions that give a food the cooked state in which it is asked (fried), as the FOON shows."""
+        if not want.cooked:
+            return ()
+        ways = [way for way in self.bench.operators.giving.get(want.make, ()) if self._is_simple_heat(way)]
+        found = self.bench.attest(ways, want.names, act=True)
+        return (found.way[0],) if found is not None and found.nearness <= Nearness.LIKE else ()
+
+    def _is_simple_heat(self, way: Way) -> bool:
+        does = self.known.motion(way[0]).does
+        return "heat" in does and "dry" not in does and does <= {"heat", "fat", "liquid", "mix"}
+
+    def _usual(self, want: Want) -> tuple[str, ...]:
+        """Return how such foods are cooked by themselves in this FOON."""
+        traits = sorted(f"trait:{trait}" for trait in want.facts.traits)
+        for name in (want.facts.kind, *traits, *sorted(want.facts.kinds)):
+            if self.plan.cooked_by.get(name):
+                return self.plan.cooked_by[name]
+        if form_of(self.known, want.label, want.leaf) == "liquid":
+            return ()  # it would be poured away with the water
+        fat = any(one.want.facts.is_a("fat") for one in self.plan.joins)
+        soft = not want.facts.is_a(*word_list("is boiled rather than fried")) and "shell" not in want.facts.owes
+        return _FRY if fat and soft else _BOIL
+
+    def _is_boiled(self, state: str) -> bool:
+        """Whether a state is one that only cooking in water gives."""
+        motions = {
+            way[0] for way in self.bench.operators.ways.get("heat", ()) if state in self.known.motion(way[0]).gives
+        }
+        own = [motion for motion in motions if any(word.startswith(motion[:4]) for word in state.split())]
+        return bool(own) and all("liquid" in self.known.motion(motion).does for motion in own)
+
+    def _warming(self, join: Join) -> tuple[str, ...]:
+        """Return how a food is made warm by itself where it is asked so (melted): not where it comes into the heat."""
+        state = join.want.make
+        if not state or not self.known.state(state).needs_heat:
+            return ()
+        if not join.spot.stage.does.isdisjoint(HEATS) and not _is_toasted(join):
+            return ()
+        ways = self._warming_ways(state)
+        found = self.bench.attest(ways, join.want.names) or self.bench.far(ways[:1], join.want.names)
+        return (found.way[0],) if found is not None else ()
+
+    def _warming_ways(self, state: str) -> list[Way]:
+        """Return the ways that heat and give a state in this FOON; what is only made warm is heated, and no more."""
+        does = self.known.motion
+        ways = [way for way in self.bench.operators.making(state) if does(way[0]).does & HEATS]
+        if state in word_list("is only made warm"):
+            return [way for way in ways if does(way[0]).does == {"heat"} and not way[1]]
+        return [way for way in ways if way in self.bench.operators.giving.get(state, ())]
+
+
+def _stages(spot: Spot) -> tuple[Stage, ...]:
+    """Return the stage of a spot and all that come after it."""
+    return (spot.stage, *spot.after)
+
+
+def _is_done_there(spot: Spot, does: Set[str]) -> bool:
+    """Whether something of this is done where a food joins, or later."""
+    return any(not stage.does.isdisjoint(does) for stage in _stages(spot))
+
+
+def _shown(join: Join) -> tuple[str, ...]:
+    """Return how the video cooks the food of a slot before, where what joins there is much like that."""
+    slot = join.slot
+    if slot is None:
+        return ()
+    return slot.cooked if slot.kind == join.want.facts.kind or join.fit >= _MUCH_ALIKE else ()
+
+
+def _by_kind(want: Want) -> tuple[str, ...]:
+    """Return how a food of such a kind is cooked whole."""
+    return _FRY if want.facts.is_a(*word_list("is fried rather than boiled")) else _BOIL
+
+
+def _is_toasted(join: Join) -> bool:
+    """Whether a food that is eaten as it is would not turn out as asked among what is cooked there."""
+    facts = join.want.facts
+    return isinstance(join.spot.stage, Phase) and facts.traits >= {"ready", "stock"} and not facts.is_a("fat")
+
+
+def _is_drained(stage: Stage) -> bool:
+    """Whether what a stage boils is boiled in water of its own."""
+    return "liquid" in stage.does and "water" in {slot.food for slot in stage.slots}
