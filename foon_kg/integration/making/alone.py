@@ -50,7 +50,7 @@ class Alone:
         pot = self.bench.vessel("pot")
         self.carry.bring(ready, pot, None)
         self.bench.place(pot, "stove", "on")
-        self.carry.boil_water(pot)
+        self.carry.water.boil(pot)
         self.bench.heat_off(pot)
         beside = [one.want.facts for one in self.plan.joins if one.spot.stage is join.spot.stage]
         if any(facts.is_a(*word_list("makes dough rise")) for facts in beside):
@@ -174,10 +174,10 @@ class Alone:
     def _boil(self, ready: Ready) -> None:
         bench, want = self.bench, ready.want
         pot = bench.vessel("pot")
-        self.carry.add_water(pot)
+        self.carry.water.add(pot)
         device = bench.place(pot, "stove", "on")
         if want.facts.is_a(*word_list("comes when it boils")):
-            self.carry.boil_water(pot)
+            self.carry.water.boil(pot)
         bench.switch(pot, device, on=True)
         self.carry.bring(ready, pot, None)
         attested = bench.require([("boil", ()), ("cook", ()), ("simmer", ())], want.names)
@@ -189,10 +189,10 @@ class Alone:
             stuff.states = states
             pot.hot = True
 
-        wet = [other for other in before if other is not stuff] if self.carry.kept else []
+        wet = [other for other in before if other is not stuff] if self.carry.water.kept else []
         bench.emit(attested, [pot, (device, pot), *before], change, [pot, stuff, *wet])
         bench.switch(pot, device, on=False)
-        self.carry.drain(pot, bench.vessel("strainer"), [stuff])
+        self.carry.water.drain(pot, bench.vessel("strainer"), [stuff])
 
     def _cooked_states(self, stuff: Stuff, want: Want, way: Way) -> tuple[str, ...]:
         """Return in which states a food is that was cooked in some way: as it is asked, where that way gives it."""

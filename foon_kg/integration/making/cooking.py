@@ -110,7 +110,7 @@ class Cooking:
         self.ready[want.number] = ready
         self.alone.beaten_first(join, ready)
         if want.facts.is_a(*word_list("is the water of a pot")):
-            self.carry.kept.append(ready)
+            self.carry.water.kept.append(ready)
         elif want.facts.is_a("water") and self.course.is_hot(stage):
             self.alone.measure(ready)
 
@@ -332,7 +332,7 @@ class Cooking:
         stuffs = self.placing.comers(stage, joins, lines, heats=heats)
         watered = any(self.known.foods.food(stuff.label).is_a("water") for stuff in vessel.contents if not stuff.mixed)
         if self.stages.water(stage) and not watered:
-            self.carry.add_water(vessel)
+            self.carry.water.add(vessel)
         fat_first = any(isinstance(one, Join) and one.want.facts.is_a("fat") for one in stuffs)
         hot_first = fat_first
         if on_stove and not vessel.contents and not fat_first and self.stages.would_be_dry(stage, stuffs):
@@ -362,13 +362,13 @@ class Cooking:
         if isinstance(one, Vessel):
             self.bench.heat_off(one)
             if on_stove and BATH in stage.adds:
-                self.carry.boil_water(vessel)
+                self.carry.water.boil(vessel)
             if not vessel.contents and "shape" not in stage.does:
                 self.placing.grease(vessel, one)
             self.carry.transfer(one, vessel, stage)
             return
         if on_stove and one.want.facts.is_a(*word_list("comes when it boils")):
-            self.carry.boil_water(vessel)
+            self.carry.water.boil(vessel)
         self.alone.boil_water_first(one)
         self.carry.bring(self.ready[one.want.number], vessel, one.slot)
 

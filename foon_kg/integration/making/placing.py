@@ -10,7 +10,9 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Vessel, is_flat
 from foon_kg.integration.joining.batters import binds
 from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.making.bakeware import Bakeware
 from foon_kg.integration.making.carrying import Carrier
+from foon_kg.integration.making.consistency import is_wet
 from foon_kg.integration.making.stages import Stages
 from foon_kg.integration.making.utensils import Utensils
 from foon_kg.integration.making.working import Worker
@@ -31,6 +33,7 @@ class Placing:
         self.work = work
         self.ready = ready
         self.utensils = Utensils(bench)
+        self.bakeware = Bakeware(self.known, self.plan.tin)
 
     def put_on(self, vessel: Vessel, device: str, stage: Stage) -> None:
         """Put a vessel on an appliance, unless it is there; an empty one is filled at the tap before."""
@@ -38,7 +41,7 @@ class Placing:
             return
         if vessel.device is None and not vessel.contents:
             if self.stages.water(stage):
-                self.carry.add_water(vessel)
+                self.carry.water.add(vessel)
             asked = [join for join in self.course.ordered(stage) if join.want.facts.is_a("water") and not join.on_top]
             for join in asked[:1]:
                 self.carry.bring(self.ready[join.want.number], vessel, join.slot)
@@ -52,11 +55,11 @@ class Placing:
         label = self.utensils.vessel_label(stage, vessel, device)
         comes = vessel if vessel is not None else next(iter(lines), None)
         if comes is None:
-            label = self.carry.deep_for(label, [join.want for join in joins])
+            label = self.bakeware.deep_for(label, [join.want for join in joins])
         elif label != comes.label:
-            label = self.carry.tin_for(label, comes, self.plan.tin, in_oven=relation == "in")
+            label = self.bakeware.tin_for(label, comes, in_oven=relation == "in")
         deep = vessel is not None and vessel.hot and not is_flat(vessel.label)  # on a tray nothing runs
-        runs = vessel is not None and deep and any(self.carry.is_wet(stuff) for stuff in vessel.contents)
+        runs = vessel is not None and deep and any(is_wet(stuff, self.known) for stuff in vessel.contents)
         runs = runs and not self.stages.on_plate
         return "bowl" if (dressed or runs) and is_flat(label) and not self.stages.lies_baked(vessel) else label
 
@@ -86,7 +89,7 @@ class Placing:
             self.carry.bring(self.ready[join.want.number], fresh, join.slot)
             self.course.at[id(stage)].remove(join)
             joins.remove(join)  # type: ignore[attr-defined]
-        hot_first = bool(grease) or not any(self.carry.is_wet(stuff) for stuff in vessel.contents)
+        hot_first = bool(grease) or not any(is_wet(stuff, self.known) for stuff in vessel.contents)
         if relation == "on" and hot_first and "heat" in stage.does:
             self.heat_on(fresh)
             self.work.heat_fat(fresh)
@@ -107,11 +110,11 @@ class Placing:
     def _stand(self, fresh: Vessel, stage: Stage, device: str) -> None:
         """Put a vessel on an appliance, if any, with the water in which something is boiled at once."""
         if BATH in stage.adds:
-            self.carry.add_water(fresh)
+            self.carry.water.add(fresh)
         if device:
             self.bench.place(fresh, device, "on")
         if BATH in stage.adds:
-            self.carry.boil_water(fresh)
+            self.carry.water.boil(fresh)
 
     def grease(self, fresh: Vessel, vessel: Vessel) -> None:
         """Grease a tin for batter or dough, with some of the fat that was asked for."""

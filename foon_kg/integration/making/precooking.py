@@ -22,7 +22,7 @@ POWDER = 5
 """How fine a powder is."""
 
 _MUCH_ALIKE = 0.8
-_BOIL, _FRY = ("boil",), ("cook",)
+_IN_WATER, _IN_A_PAN = ("boil",), ("cook",)
 
 
 class Precooking:
@@ -91,16 +91,16 @@ class Precooking:
         if want.cooked and want.then:
             return self._to_be_divided(want)
         if self._is_thick(want) and self._comes_into_a_pan(join.spot):
-            return _BOIL  # it would be brown outside and raw within
+            return _IN_WATER  # it would be brown outside and raw within
         if isinstance(stage, Phase) and self._takes_longer(want):
-            return _BOIL  # the grain would be mush when it is done
-        return _FRY if self._is_fried_whole(join) else ()
+            return _IN_WATER  # the grain would be mush when it is done
+        return _IN_A_PAN if self._is_fried_whole(join) else ()
 
     def _to_be_divided(self, want: Want) -> tuple[str, ...]:
         """Return how a food is cooked that is cut or mashed then: as it is asked, else in water to be mashed."""
         mashed = want.then in word_list("only what is soft is so") and want.make in word_list("begins cooked")
         if mashed or not want.make or self._is_boiled(want.make):
-            return _BOIL
+            return _IN_WATER
         return self._asked_cooking(want) or self._usual(want)
 
     def _comes_into_a_pan(self, spot: Spot) -> bool:
@@ -134,12 +134,12 @@ class Precooking:
         """Return how a food is cooked before whatever the dish would do to it; nothing where that may do."""
         want = join.want
         if self.is_fried_open(want) and not _is_done_there(join.spot, HEATS):
-            return _FRY
+            return _IN_A_PAN
         if self._is_cut_of_its_shell(want):
-            return _BOIL
+            return _IN_WATER
         shown = _shown(join)
         if shown or want.then:
-            return shown or _BOIL
+            return shown or _IN_WATER
         if self.preparer.is_mashed_raw(want) or (due and self.is_asked_done(want)):
             return _by_kind(want)
         return ()
@@ -151,7 +151,7 @@ class Precooking:
         if self._is_boiled_there(join, heats, due):
             return ()
         if "boil" in due or self._is_asked_boiled(want, heats):
-            return _BOIL
+            return _IN_WATER
         if heats and self._gets_done_there(join, due):
             return ()
         return self._asked_cooking(want) or self._usual(want)
@@ -211,7 +211,7 @@ class Precooking:
             return ()  # it would be poured away with the water
         fat = any(one.want.facts.is_a("fat") for one in self.plan.joins)
         soft = not want.facts.is_a(*word_list("is boiled rather than fried")) and "shell" not in want.facts.owes
-        return _FRY if fat and soft else _BOIL
+        return _IN_A_PAN if fat and soft else _IN_WATER
 
     def _is_boiled(self, state: str) -> bool:
         """Whether a state is one that only cooking in water gives."""
@@ -261,7 +261,7 @@ def _shown(join: Join) -> tuple[str, ...]:
 
 def _by_kind(want: Want) -> tuple[str, ...]:
     """Return how a food of such a kind is cooked whole."""
-    return _FRY if want.facts.is_a(*word_list("is fried rather than boiled")) else _BOIL
+    return _IN_A_PAN if want.facts.is_a(*word_list("is fried rather than boiled")) else _IN_WATER
 
 
 def _is_toasted(join: Join) -> bool:

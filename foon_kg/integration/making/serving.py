@@ -10,6 +10,7 @@ from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_
 from foon_kg.integration.joining.course import WORKS, Plan
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.carrying import Carrier
+from foon_kg.integration.making.consistency import is_wet
 from foon_kg.integration.making.stages import Stages
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
@@ -253,7 +254,7 @@ class Serving:
 
     def _dish_for(self, vessel: Vessel, stages: Stages) -> str:
         """Return what suits what is in a vessel: a bowl what runs, unless it is carved."""
-        return "bowl" if self.carry.is_wet(vessel.contents[0]) and not stages.on_plate else "plate"
+        return "bowl" if is_wet(vessel.contents[0], self.known) and not stages.on_plate else "plate"
 
     def _brought(self, vessel: Vessel, label: str, stage: Stage) -> Vessel:
         target = self.bench.vessel(label)

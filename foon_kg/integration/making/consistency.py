@@ -1,0 +1,178 @@
+"""How foods hold together as they are: whether they run, lie loose, are poured, or are moved in one piece."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+from foon_kg.food import Food, Tables, words
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Stuff, fineness, is_heated
+from foon_kg.integration.joining.batters import binds
+from foon_kg.integration.teaching.operators import form_of
+from foon_kg.world.running import is_runny
+
+_SMALL = 3
+"""As finely as this is cut what nobody picks up piece by piece."""
+
+_DRY = word_list("coats dry")
+_COATING = _DRY | word_list("coats wet") | word_list("clings to what is coated")
+_HOLDS = word_list("holds a mixture together")
+
+SOLID = word_list("keeps its shape") | word_list("is one piece when it is done")
+"""In these states a mixture is one piece, whatever it is made of."""
+
+
+# --- what runs ---
+
+
+def is_wet(stuff: Stuff, known: Tables) -> bool:
+    """Whether a mixture runs: it has liquid in it that was not baked away."""
+    if not stuff.mixed or not word_list("keeps its shape").isdisjoint(stuff.states):
+        return False
+    if is_runny(stuff.label, stuff.states, stuff.foods, known):
+        return True
+    foods = [known.foods.food(food) for food in stuff.foods]
+    if "baked" not in stuff.states and _stays_liquid(stuff, foods):
+        return True
+    if is_heated(stuff.states, known):
+        return not _has_set(stuff, foods, known) and _has_liquid_left(foods)
+    return any(food.is_a("liquid", "creamy", "water", "egg") for food in foods)
+
+
+def _stays_liquid(stuff: Stuff, foods: Sequence[Food]) -> bool:
+    """Whether a mixture of ``foods`` runs until it is baked, however long it is cooked."""
+    return _is_in_liquid(foods) or _is_a_sauce(foods) or _is_melted(stuff, foods)
+
+
+def _is_in_liquid(foods: Sequence[Food]) -> bool:
+    return any(f"kind:{food.kind}" in word_list("stays liquid") for food in foods)
+
+
+def _is_a_sauce(foods: Sequence[Food]) -> bool:
+    """Whether foods make a sauce that flour only thickens: a liquid, and nothing that is solid in it or sets."""
+    if not any(food.is_a("cooking liquid") for food in foods):
+        return False
+    parts = word_list("is in what only gets thick")
+    return all(food.is_a(*parts) and not food.is_a("dough", "egg", "leaven") for food in foods)
+
+
+def _is_melted(stuff: Stuff, foods: Sequence[Food]) -> bool:
+    """Whether a mixture is hot fat with what only seasons it."""
+    seasoned = all(food.is_a(*word_list("runs with melted fat")) for food in foods)
+    return "cooked" in stuff.states and seasoned and any(food.is_a("fat") for food in foods)
+
+
+def _has_set(stuff: Stuff, foods: Sequence[Food], known: Tables) -> bool:
+    """Whether what ran is solid now that it was heated."""
+    baked = "baked" in stuff.states and binds(stuff.foods, known)
+    return baked or any(food.is_a("egg", "flour", "dough") for food in foods)
+
+
+def _has_liquid_left(foods: Sequence[Food]) -> bool:
+    """Whether foods that were cooked have liquid around them: fat that clings to flesh is no sauce."""
+    fried = any(food.is_a(*word_list("is coated")) for food in foods)
+    return any(food.is_a("liquid", "creamy") and not (fried and food.is_a("fat")) for food in foods)
+
+
+def is_liquid_or_soft(stuff: Stuff, known: Tables) -> bool:
+    """Whether a food runs or is scooped."""
+    return form_of(known, stuff.label, stuff.states) in {"liquid", "soft"}
+
+
+# --- what is moved in one piece, and what is not ---
+
+
+def form_together(stuffs: Sequence[Stuff], known: Tables, *, whole: bool) -> str:
+    """Return how foods are moved out of their vessel at once: as ``liquid``, as ``pieces``, or ``whole``.
+
+    ``whole``: they are one piece, whatever they look like.
+    """
+    if whole or _is_shaped(stuffs, known):
+        return "whole"
+    if len(stuffs) > 1 or any(_runs(stuff, known) for stuff in stuffs):
+        return "liquid"
+    return "whole" if stuffs[0].mixed and not _is_loose(stuffs[0], known) else "pieces"
+
+
+def _runs(stuff: Stuff, known: Tables) -> bool:
+    return is_liquid_or_soft(stuff, known) or is_wet(stuff, known)
+
+
+def _is_shaped(stuffs: Sequence[Stuff], known: Tables) -> bool:
+    """Whether one of some foods has a form of its own, or is flesh in one piece with nothing around it that runs."""
+    if any(not word_list("keeps its shape").isdisjoint(stuff.states) for stuff in stuffs):
+        return True
+    solids = [stuff for stuff in stuffs if stuff.mixed or not known.foods.food(stuff.label).is_a("fat")]
+    alone = len(solids) == 1 or not any(_runs(stuff, known) for stuff in stuffs)
+    return alone and any(is_uncut(stuff, known) for stuff in solids)
+
+
+def is_uncut(stuff: Stuff, known: Tables) -> bool:
+    """Whether a food is flesh that nobody cut, and no stew that is called by it."""
+    if stuff.mixed and _is_cut_in_liquid([known.foods.food(food) for food in stuff.foods]):
+        return False
+    if _is_breaded(stuff, known) or (not stuff.mixed and {"baked", "whole"} <= set(stuff.states)):
+        return True
+    facts = known.foods.food(stuff.label)
+    flesh = facts.is_a(*word_list("is coated")) and not facts.is_a(*word_list("patties are made of"))
+    return flesh and fineness(stuff.states, known) == 0
+
+
+def _is_cut_in_liquid(foods: Sequence[Food]) -> bool:
+    """Whether foods are in a liquid that stays so, or all flesh of them comes in mouthfuls."""
+    flesh = (food for food in foods if food.is_a(*word_list("is coated")))
+    return _is_in_liquid(foods) or all(food.is_a(*word_list("is a mouthful")) for food in flesh)
+
+
+def _is_breaded(stuff: Stuff, known: Tables) -> bool:
+    """Whether a mixture is one food that comes in portions, with what it was turned in."""
+    flesh = {name for name in stuff.foods if known.foods.food(name).is_a(*word_list("is coated"))}
+    coats = [known.foods.food(name) for name in stuff.foods if name not in flesh]
+    portion = len(flesh) == 1 and not word_list("is a portion").isdisjoint(words(*flesh))
+    return stuff.mixed and portion and _are_dry_coats(coats)
+
+
+def _are_dry_coats(foods: Sequence[Food]) -> bool:
+    """Whether foods are what another one is turned in, something dry among them."""
+    return all(food.is_a(*_COATING) for food in foods) and any(food.is_a(*_DRY) for food in foods)
+
+
+def _is_loose(stuff: Stuff, known: Tables) -> bool:
+    """Whether a mixture is of dry foods, or of what stays loose when it is cooked, that nothing holds together."""
+    foods = [known.foods.food(food) for food in stuff.foods]
+    shaped = not SOLID.isdisjoint(stuff.states)
+    if not shaped and any(food.is_a(*word_list("stays loose")) for food in foods):
+        return True
+    if is_heated(stuff.states, known):
+        return False
+    if not shaped and not any(food.is_a(*_HOLDS) for food in foods):
+        return not {form_of(known, food.name, ()) for food in foods}.isdisjoint({"pieces", "whole"})
+    return _is_powder(stuff, foods, known)
+
+
+def _is_powder(stuff: Stuff, foods: Sequence[Food], known: Tables) -> bool:
+    """Whether a mixture has powder in it, and nothing that makes a paste of that."""
+    holds = any(food.is_a("creamy", "dough", "egg", "fat", "liquid", "water") for food in foods)
+    return not holds and any(form_of(known, food, ()) == "powder" for food in stuff.foods)
+
+
+@lru_cache(maxsize=1 << 14)
+def is_laid(known: Tables, label: str, states: tuple[str, ...], *, flat: bool) -> bool:
+    """Whether a food comes somewhere piece by piece: what lies in one piece does, and slices onto what is ``flat``."""
+    if known.foods.food(label, states).is_a(*word_list("carries what is stacked")):
+        return True
+    if not word_list("lies in one piece").isdisjoint(states):
+        return True
+    solid = form_of(known, label, states) in {"pieces", "whole"}
+    return flat and solid and not is_poured(known, label, states)
+
+
+@lru_cache(maxsize=1 << 14)
+def is_poured(known: Tables, label: str, states: tuple[str, ...]) -> bool:
+    """Whether nobody picks up a food piece by piece: it runs, or it is in small pieces."""
+    form = form_of(known, label, states)
+    if form in {"liquid", "powder"} or fineness(states, known) >= _SMALL:
+        return True
+    loose = known.foods.food(label, states).is_a(*word_list("lies loose"))
+    return loose and word_list("lies in one piece").isdisjoint(states) and form in {"pieces", "whole"}

@@ -1,0 +1,104 @@
+"""Water: poured into a vessel from the tap, brought to the boil, and poured away when what boiled in it is done."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Bench, Stuff, Vessel
+from foon_kg.integration.preparing.preparation import Ready
+
+TAP, JUG = "faucet", "measuring cup"
+"""Where water comes from, and in what it comes to what stands on a stove."""
+
+
+class Water:
+    """Handles water on a bench."""
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.known: Tables = bench.known
+        self.kept: list[Ready] = []
+        """What is asked of the water in which something boils, until some of that is taken."""
+
+    def add(self, vessel: Vessel) -> None:
+        """Pour water from the tap into a vessel."""
+        water = self.bench.fetch("water", ("liquid",), (), TAP)
+        attested = self.bench.require([("pour", ()), ("fill", ())], ("water",))
+        if vessel.device is not None:
+            self.bench.bring([water], self.bench.vessel(JUG), attested)
+        self.bench.bring([water], vessel, attested)
+
+    def boil(self, pot: Vessel) -> None:
+        """Bring the water in a pot that stands over the heat to the boil, where nothing but salt is in it."""
+        water, device = self._water_in(pot), pot.device
+        foods = (self.known.foods.food(stuff.label) for stuff in pot.contents)
+        if water is None or device is None or any(not one.is_a(*word_list("goes into the water")) for one in foods):
+            return
+        boils = self.bench.attest([("boil", ()), ("heat", ())], ("water",))
+        if boils is None or "boiling" in water.states:
+            return
+        self.bench.switch(pot, device, on=True)
+
+        def change() -> None:
+            water.states = tuple(sorted({*water.states, "boiling"}))
+            pot.hot = True
+
+        self.bench.emit(boils, [pot, (device, pot), *pot.contents], change, [pot, water])
+
+    def boils(self, ready: Ready, vessel: Vessel) -> bool:
+        """Whether a food comes into a vessel to be boiled: into water with nothing but salt in it, or asked cooked."""
+        foods = [self.known.foods.food(stuff.label) for stuff in vessel.contents]
+        if not any(food.is_a("water") for food in foods):
+            return False
+        return ready.want.cooked or all(food.is_a(*word_list("goes into the water")) for food in foods)
+
+    def drain(self, pot: Vessel, strainer: Vessel, stuffs: Sequence[Stuff]) -> None:
+        """Pour a pot into a strainer: ``stuffs`` stay there, the water is gone, save what is asked of it."""
+        while self.kept:
+            self._keep_some(pot, self.kept.pop())
+        foods = tuple(dict.fromkeys(food for stuff in stuffs for food in stuff.foods))
+        drained = self.bench.require([("drain", ()), ("pour", ())], foods)
+        dissolved = [stuff for stuff in stuffs if self._dissolves(stuff)]
+        kept = [stuff for stuff in stuffs if stuff not in dissolved]
+        if not kept:
+            kept, dissolved = list(stuffs), []
+
+        def change() -> None:
+            pot.contents.clear()
+            for stuff in kept:
+                strainer.contents.append(stuff)
+                stuff.at = strainer
+            for stuff in dissolved:  # it is in what was boiled in it
+                kept[0].foods += stuff.foods
+                kept[0].wants |= stuff.wants
+
+        self.bench.emit(drained, [pot, *stuffs, strainer], change, [strainer, *kept, pot])
+
+    def _keep_some(self, pot: Vessel, ready: Ready) -> None:
+        """Take some of the water of a pot, which is asked under a name of its own, before it is poured away."""
+        water = self._water_in(pot)
+        ways = [way for way in self.bench.operators.ways_of("scoop") if way[1]]
+        attested = self.bench.near_or_far(ways, ("water",))
+        if water is None or attested is None:
+            return
+        cup, kept = self.bench.vessel(JUG), ready.stuff
+        rest = [stuff for stuff in pot.contents if stuff is not water]
+
+        def change() -> None:
+            pot.contents.remove(water)
+            cup.contents.append(kept)
+            kept.at, kept.states = cup, ("liquid",)
+
+        self.bench.emit(attested, [pot, *pot.contents, cup], change, [cup, kept, pot, *rest])
+
+    def _water_in(self, pot: Vessel) -> Stuff | None:
+        return next((stuff for stuff in pot.contents if self.known.foods.food(stuff.label).is_a("water")), None)
+
+    def _dissolves(self, stuff: Stuff) -> bool:
+        """Whether a food is salt or the like, and on its own."""
+        if stuff.mixed:
+            return False
+        facts = self.known.foods.food(stuff.label)
+        return facts.is_a(*word_list("goes into the water")) and not facts.is_a("water")
