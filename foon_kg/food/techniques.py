@@ -265,6 +265,8 @@ class Component:
     guessed: bool
     again: tuple[Foods, ...] = ()
     after: tuple[Foods, ...] = ()
+    behind: bool = False
+    opens: bool = False
 
 
 @cache
@@ -282,6 +284,8 @@ def components() -> tuple[Component, ...]:
             "called" in row,
             tuple(map(Foods.read, row.get("again", ()))),
             tuple(map(Foods.read, row.get("after", ()))),
+            row.get("behind", False),
+            row.get("opens", False),
         )
         for name, row in shipped("components")["components"].items()
     )

@@ -258,3 +258,47 @@ def test_a_technique_keeps_what_a_recipe_calls_its_topping(steps):
     assert first(told, "mixture", "bake") < motions(told).index("cool down") < first(told, "kiwi", "pour")
     mixed = [set(outputs[0].ingredients) for _, motion, outputs in told if motion == "mix"]
     assert {"cream cheese", "sugar"} in mixed
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "foods"),
+    [
+        ("salad", ("chicken:diced", "apple:diced", "mayonnaise:creamy")),
+        ("soup", ("onion:chopped", "oil:liquid", "stock:liquid", "carrot:sliced")),
+        ("omelette", ("egg:uncooked", "mushroom:sliced", "oil:liquid")),
+    ],
+)
+def test_buttered_bread_is_fried_and_laid_on_the_dish_and_nobody_stirs_it_in(steps, dish_type, foods):
+    told = steps(dish_type, "", *foods, "bread:sliced", "butter:softened")
+    assert {"bread", "butter"} <= inside(told, "flip") - {"egg"}
+    laid = max(place for place, (inputs, _, _) in enumerate(told) if "bread" in inputs)
+    assert motions(told)[laid] in {"pick-and-place", "pour"}
+    assert not any("bread" in inputs and {"stir", "mix"} & {one} for inputs, one, _ in told)
+
+
+def test_rolls_are_warmed_and_served_with_an_omelette(steps):
+    told = steps("omelette", "", "egg:uncooked", "cheddar:grated", "butter:softened", "roll:whole")
+    assert "roll" in inside(told, "bake")
+    assert "roll" not in inside(told, "melt")
+
+
+def test_chips_lie_on_a_soup(steps):
+    told = steps("soup", "", "beef:ground", "bean:canned", "tomato sauce:sauce", "chip:pieces", "cream:creamy")
+    assert motions(told)[-1] == "pour"
+    assert "chip" in told[-1][0]
+    assert not any("melted" in node.states for _, _, outputs in told for node in outputs if node.label == "chip")
+
+
+def test_bread_and_cheese_at_the_end_of_a_soup_are_toasted_together(steps):
+    told = steps(
+        "soup", "", "onion:chopped", "oil:liquid", "squash:peeled", "stock:liquid", "baguette:whole", "cheese:grated"
+    )
+    assert inside(told, "bake") == {"baguette", "cheese"}
+
+
+def test_crumbs_on_sweet_noodles_are_mixed_with_fat_and_baked_on_them(steps):
+    custard = ("noodle:uncooked", "egg:uncooked", "sugar:granulated", "vanilla:liquid", "margarine:creamy")
+    told = steps("noodle", "", *custard, "margarine:juice", "corn:crumbs", "brown sugar:granulated")
+    (mixed,) = [inputs for inputs, one, _ in told if one == "mix" and "corn" in inputs]
+    assert {"corn", "margarine", "brown sugar"} <= mixed
+    assert "noodle" in inside(told, "bake")

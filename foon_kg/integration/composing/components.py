@@ -63,11 +63,11 @@ class _Finder:
         self.told = told
         self.listed = {place: want for want in wants for place in want.places}
         self.highest = 3 * SECOND
+        self.behind: set[int] = set()
 
     def side(self, component: Component) -> Side | None:
         """Return the foods of a component, which are taken out of the rest; ``None`` where there is none."""
-        technique = component.technique
-        if not self._may_be(technique):
+        if not self._may_be(component.technique):
             return None
         around = Around([want.facts for want in self.rest], self.told)
         places = self._places(component, around)
@@ -76,13 +76,24 @@ class _Finder:
         found = tuple(dict.fromkeys(self.listed[place] for place in sorted(places)))
         whole = [want for want in found if places.issuperset(self._left(want))]
         rest = [want for want in self.rest if want not in whole]
-        if any(means(one, want, around) for one in technique.without for want in self.rest):
+        if not self._suits(component, found, rest, around):
             return None
-        if not _have(technique.needs, found, around) or not _have(component.beside, rest, around):
-            return None
-        self.rest = rest
-        self.listed = {place: want for place, want in self.listed.items() if place not in places}
+        self._take(component, places, rest)
         return Side(component, tuple(want if want in whole else self._second(want) for want in found))
+
+    def _take(self, component: Component, places: set[int], rest: list[Want]) -> None:
+        """Take what is listed at the places of a component out of the recipe, of which the ``rest`` is left."""
+        self.rest = rest
+        if component.at == "cooled":
+            self.behind.add(max(places) + 1)
+        self.listed = {place: want for place, want in self.listed.items() if place not in places}
+
+    def _suits(self, component: Component, found: Sequence[Want], rest: Sequence[Want], around: Around) -> bool:
+        """Whether a component has what it needs in the foods ``found`` for it, and leaves enough for the ``rest``."""
+        technique = component.technique
+        if any(_are(technique.without, want, around) for want in self.rest):
+            return False
+        return _have(technique.needs, found, around) and _have(component.beside, rest, around)
 
     def _may_be(self, technique: Technique) -> bool:
         """Whether a dish of this type and title may have such a component."""
@@ -99,18 +110,44 @@ class _Finder:
 
     def _places(self, component: Component, around: Around) -> set[int]:
         """Return the places in the recipe of the foods of a component."""
-        foods = component.body + component.neighbours
-        found = {place for place, want in self.listed.items() if want.part and want.part in component.parts}
+        found = self._told(component, around) or self._guessed(component, around)
+        if found:
+            return self._with_neighbours(found, component, around)
+        if component.again and component.technique.is_called(self.dish_type, self.told):
+            return self._opening(component, around) if component.opens else self._listed_again(component, around)
+        return set()
+
+    def _told(self, component: Component, around: Around) -> set[int]:
+        """Return the places of the foods of which the recipe says that they are for such a component."""
+        found = self._named(component)
         group = [self.listed[place] for place in found]
-        mixed = bool(component.technique.lines) and any(_are(component.body, want, around) for want in group)
-        if found and component.body and not (mixed and _have(component.technique.needs, group, around)):
-            found = {place for place in found if _are(foods, self.listed[place], around)}
-        elif not found and component.guessed and component.technique.is_called(self.dish_type, self.told):
-            bodies = [place for place, want in self.listed.items() if _are(component.body, want, around)]
-            found = {place for place in bodies[-1:] if not self.listed[place].part}
-        if not found and component.again and component.technique.is_called(self.dish_type, self.told):
-            return self._listed_again(component, around)
-        return self._with_neighbours(found, component, around) if found else found
+        begun = any(_are(component.body, want, around) for want in group)
+        mixed = begun and bool(component.technique.lines)
+        if not component.body or (mixed and _have(component.technique.needs, group, around)):
+            return found
+        foods = component.body + component.neighbours
+        return {place for place in found if _are(foods, self.listed[place], around)}
+
+    def _named(self, component: Component) -> set[int]:
+        return {place for place, want in self.listed.items() if want.part and want.part in component.parts}
+
+    def _guessed(self, component: Component, around: Around) -> set[int]:
+        """Return the place of the food with which a component begins of which the recipe does not say so.
+
+        It is the last one of such foods, or the one right behind what comes on a cold dish.
+        """
+        if self._named(component) or not component.technique.is_called(self.dish_type, self.told):
+            return set()
+        bodies = [place for place, want in self.listed.items() if _are(component.body, want, around)]
+        if component.behind:
+            return self.behind & set(bodies)
+        return {place for place in bodies[-1:] if component.guessed and not self.listed[place].part}
+
+    def _opening(self, component: Component, around: Around) -> set[int]:
+        """Return the places before a food that is listed again, where all that stands there may be the component's."""
+        end = next(iter(self._once_more(component, around)), 0)
+        found = {place for place in self.listed if place < end}
+        return found if all(self._belongs(place, component, around) for place in found) else set()
 
     def _listed_again(self, component: Component, around: Around) -> set[int]:
         """Return the places around a food that a recipe lists a second time, once all else of its dish is named."""
@@ -121,15 +158,20 @@ class _Finder:
         return set()
 
     def _once_more(self, component: Component, around: Around) -> list[int]:
-        """Return where foods that begin a component are listed again, once all that it comes after was."""
+        """Return where foods that begin a component are listed again, once all that it comes after was.
+
+        What is listed twice in a row is of two kinds and no second part.
+        """
         last = max((place for place, want in self.listed.items() if _are(component.after, want, around)), default=-1)
-        seen: set[str] = set()
+        seen: list[str] = []
         found = []
         for place, want in sorted(self.listed.items()):
-            again = singular(want.label) in seen and not want.part
-            if 0 <= last < place and again and _are(component.again, want, around):
+            label = singular(want.label)
+            again = label in seen[:-1] and label != seen[-1] and not want.part
+            behind = component.opens or 0 <= last < place
+            if again and behind and _are(component.again, want, around):
                 found.append(place)
-            seen.add(singular(want.label))
+            seen.append(label)
         return found
 
     def _with_neighbours(self, places: set[int], component: Component, around: Around) -> set[int]:
@@ -199,25 +241,45 @@ def _with_side(
 def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
     """Return a line with ``target`` at its place, that stage there, and by identity what became of others."""
     stages = line.stages
-    baked = [place for place, stage in enumerate(stages) if stage.does >= {"dry", "heat"}]
-    shapes = [stage for stage in line.all_stages() if "shape" in stage.does and "heat" not in stage.does]
-    if at == "shaped" and shapes:
-        became: dict[int, Stage] = {}
-        return _with_next(line, shapes[-1], target, became), target, became
-    if at in {"before", "shaped"} and baked:
-        heat = stages[baked[-1]]
-        laid = replace(heat, motion="", does=frozenset(), appliance="", source="", label="", states=())
-        target = replace(target, vessel=heat.vessel, relation=heat.relation)
-        heat = replace(heat, adds=())
-        fresh = (*stages[: baked[-1]], laid, target, heat, *stages[baked[-1] + 1 :])
-        return Line(fresh), target, {id(stages[baked[-1]]): laid}
-    mixing = next((stage for stage in line.all_stages() if not stage.does.isdisjoint({"mix", "knead"})), None)
-    if at == "mixed" and mixing is not None:
-        whole, became = with_line(line, mixing, next(add for add in target.adds if isinstance(add, Line)))
-        return whole, became[id(mixing)], became
-    if at == "under" and baked:
-        tin = stages[baked[0]].vessel
+    bakes = [place for place, stage in enumerate(stages) if stage.does >= {"dry", "heat"}]
+    worked = [stage for stage in line.all_stages() if _is_at(stage, at)]
+    if worked:
+        return _attached_to(line, worked, target, at)
+    if bakes and at in {"before", "shaped"}:
+        return _attached_before(stages, bakes[-1], target)
+    if bakes and at == "under":
+        tin = stages[bakes[0]].vessel
         return line, next(stage for stage in stages if stage.vessel == tin), {}
+    return _attached_last(stages, target, at)
+
+
+def _is_at(stage: Stage, at: str) -> bool:
+    """Whether a stage shapes, or mixes, as a component asks that joins there."""
+    mixes = not stage.does.isdisjoint({"mix", "knead"})
+    shapes = "shape" in stage.does and "heat" not in stage.does
+    return {"mixed": mixes, "shaped": shapes}.get(at, False)
+
+
+def _attached_to(line: Line, worked: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return a line with ``target`` after the last stage that shapes, or in the first that mixes (``worked``)."""
+    if at == "mixed":
+        whole, changed = with_line(line, worked[0], next(add for add in target.adds if isinstance(add, Line)))
+        return whole, changed[id(worked[0])], changed
+    became: dict[int, Stage] = {}
+    return _with_next(line, worked[-1], target, became), target, became
+
+
+def _attached_before(stages: Sequence[Stage], place: int, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return stages with ``target`` on what is baked at a ``place``, before that, as :func:`_attached` does."""
+    heat = stages[place]
+    laid = replace(heat, motion="", does=frozenset(), appliance="", source="", label="", states=())
+    target = replace(target, vessel=heat.vessel, relation=heat.relation)
+    fresh = (*stages[:place], laid, target, replace(heat, adds=()), *stages[place + 1 :])
+    return Line(fresh), target, {id(heat): laid}
+
+
+def _attached_last(stages: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return stages with ``target`` at their end, once the dish is done or cold, as :func:`_attached` does."""
     rest = stages[-1:] if only_carries(stages[-1]) else ()
     done = stages[: len(stages) - len(rest)]
     cool = () if at != "cooled" or (done and "wait" in done[-1].does) else (stage_of("cool"),)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
+from foon_kg.integration.composing.techniques import stage_of
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
 from foon_kg.integration.joining.places import NATURAL
 from foon_kg.integration.joining.spots import Join, Spot, only_carries
@@ -16,7 +17,7 @@ from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
 @dataclass(frozen=True)
 class Part:
-    """Foods that are put on a dish by ``motion``, ``mixed`` before if need be.
+    """Foods that are put on a dish by ``motion``, ``mixed`` before if need be, at the stage of the name ``mixes``.
 
     ``baked``: before it is baked; ``under``: in its tin, before all else.
     """
@@ -26,6 +27,7 @@ class Part:
     baked: bool = False
     mixed: bool = True
     under: bool = False
+    mixes: str = "mix"
 
 
 def parts_of(
@@ -89,7 +91,7 @@ class _Parted:
         cover = self._cover()
         coat = () if cover else self._coat()
         if cover:
-            yield Part(cover, _motion("covers what is baked"))
+            yield Part(cover, _motion("covers what is baked"), mixes="beat soft")  # stirred, the sugar stays gritty
         elif coat:
             yield Part(coat, "")
         tops = self._are("is put on what is baked")
@@ -141,7 +143,7 @@ def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part], tin: st
             stages, found = _on_base(stages, found, part, tin)
             continue
         place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), None) if part.baked else None
-        mixing = _stage("mix", "bowl", ()) if part.mixed and len(part.wants) > 1 else None
+        mixing = _mixing(part) if part.mixed and len(part.wants) > 1 else None
         adds = (Line((mixing,)),) if mixing is not None else ()
         if place is None:
             if stages[-1].step >= 0:
@@ -171,7 +173,7 @@ def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part], tin: st
 def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tuple[list[Stage], list[Join]]:
     """Return stages in which the batter comes onto a base that was pressed in the tin."""
     place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), len(stages))
-    mixing = _stage("mix", "bowl", ())
+    mixing = _mixing(part)
     pressed = Stage((Line((mixing,)),), "press", frozenset({"shape"}), (), tin, "in", "", "", "", (), -1)
     before = (Line(tuple(stages[:place])),) if place else ()
     old = stages[place] if place < len(stages) else _cold("chill")
@@ -248,8 +250,11 @@ def _moved(join: Join, old: Stage, new: Stage) -> Join:
     return replace(join, spot=replace(join.spot, stage=new)) if join.spot.stage is old else join
 
 
+def _mixing(part: Part) -> Stage:
+    """Return the stage at which the foods of a part are mixed."""
+    return replace(stage_of(part.mixes), vessel="bowl", label="")
+
+
 def _stage(motion: str, vessel: str, adds: tuple[Line, ...]) -> Stage:
-    mixes = motion == "mix"
-    does = frozenset({"mix"} if mixes else {"wait"} if motion in word_list("cools") else {"coat", "move"})
-    relation, tools = ("in", ("spoon",)) if mixes else ("on", ())
-    return Stage(adds, motion, does, tools, vessel, relation, "", "", "", (), -1)
+    does = frozenset({"wait"} if motion in word_list("cools") else {"coat", "move"})
+    return Stage(adds, motion, does, (), vessel, "on", "", "", "", (), -1)

@@ -348,7 +348,8 @@ class Cooking:
             on_top = isinstance(one, Join) and one.on_top
             came = [self.ready[one.want.number].stuff] if isinstance(one, Join) else list(one.contents)
             self._add(stage, vessel, one, on_stove=on_stove)
-            if ends and not on_top and len(came) == 1 and self.work.lies_on_what_is_done(came[0], vessel):
+            done = main and not on_top and not self.stages.is_worked_later([stage, *later])
+            if done and len(came) == 1 and self.work.lies_on_what_is_done(came[0], vessel):
                 self.work.toss(vessel)
                 continue
             if merge and self.work.lies_unmixed(vessel) and not on_top and not self.stages.lays(stage, joins, later):

@@ -41,9 +41,10 @@ class Stages:
     def made_late(self, line: Line) -> frozenset[int]:
         """Return, by identity, what joins a line and is made just before: what waits for a sauce, and a foam.
 
-        So is what is cooked to be laid on the rest, where that comes out of a hot pan of its own, and is lifted out.
+        So is what is cooked to be laid on the rest, where that comes out of a hot pan of its own, and is lifted out,
+        and whatever comes on what was baked at last.
         """
-        found = set()
+        found = {id(add) for stage in _after_the_oven(line.stages) for add in _lines_at(stage)}
         lifted = False
         for stage in line.stages:
             adds = _lines_at(stage)
@@ -282,6 +283,12 @@ class Stages:
 
 def _is_over_heat(line: Line) -> bool:
     return any(not stage.does.isdisjoint(HEATS) for stage in line.stages)
+
+
+def _after_the_oven(stages: Sequence[Stage]) -> Sequence[Stage]:
+    """Return the stages that come after the last one that heats, where that is in the oven."""
+    hot = [place for place, stage in enumerate(stages) if not stage.does.isdisjoint(HEATS)]
+    return stages[hot[-1] + 1 :] if hot and "dry" in stages[hot[-1]].does else ()
 
 
 def _lines_at(stage: Stage) -> list[Line]:

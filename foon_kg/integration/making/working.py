@@ -77,9 +77,17 @@ class Worker:
         mixed = [s for s in vessel.contents if s.mixed and not {"blended", "mixed"}.isdisjoint(s.states)]
         cooked = any(self.known.state(state).needs_heat for stuff in mixed for state in stuff.states)
         beside = [stuff for stuff in vessel.contents if stuff not in mixed]
-        tops = all(self.known.foods.food(stuff.label).is_a("topping") for stuff in beside)
+        tops = all(self._is_a_topping(stuff) for stuff in beside)
         tops = tops or any("baked" in stuff.states for stuff in beside)
         return bool(mixed) and not tops and not cooked and not is_flat(vessel.label)
+
+    def _is_a_topping(self, stuff: Stuff) -> bool:
+        facts = self.known.foods.food(stuff.label)
+        toasted = facts.is_a(*word_list("stays firm once it is toasted")) and self._is_cooked(stuff)
+        return toasted or facts.is_a("topping")
+
+    def _is_cooked(self, stuff: Stuff) -> bool:
+        return any(self.known.state(state).needs_heat for state in stuff.states)
 
     def lies_on_what_is_done(self, stuff: Stuff, vessel: Vessel) -> bool:
         """Whether a food that came to what was cooked in a vessel is one that nobody leaves on it: noodles, butter."""
@@ -94,7 +102,7 @@ class Worker:
         return (named or facts.is_a(*word_list("is stirred into what is done"))) and not facts.is_a("topping")
 
     def _is_cooked_loose(self, stuff: Stuff) -> bool:
-        return "baked" not in stuff.states and any(self.known.state(state).needs_heat for state in stuff.states)
+        return "baked" not in stuff.states and self._is_cooked(stuff)
 
     def toss(self, vessel: Vessel) -> None:
         """Stir what came to a dish that is done into it."""
