@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.names import BY_TITLE, named_alike
 from foon_kg.goals.recorded import Recorded
-from foon_kg.integration.joining.places import Posts
+from foon_kg.integration.joining.posts import Posts
 from foon_kg.integration.joining.spots import Join
 from foon_kg.model.drafted import is_draft
 

@@ -11,7 +11,7 @@ from typing import Protocol
 from foon_kg.food import Tables, tables
 from foon_kg.integration.joining.layouts import Layout
 from foon_kg.integration.joining.outlines import Outline, Outlines
-from foon_kg.integration.joining.places import Posts
+from foon_kg.integration.joining.posts import Posts
 from foon_kg.integration.teaching.derivation import frames_of
 from foon_kg.integration.teaching.frames import Frame
 from foon_kg.integration.teaching.operators import Operators

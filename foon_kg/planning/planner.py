@@ -27,7 +27,8 @@ from foon_kg.integration.composing.parts import parts_of
 from foon_kg.integration.composing.warmed import can_be_blended, can_be_warmed
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.joining.course import Plan
-from foon_kg.integration.joining.places import Joiners, Matcher
+from foon_kg.integration.joining.joiners import Joiners
+from foon_kg.integration.joining.places import Matcher
 from foon_kg.integration.making.cooking import Cooking
 from foon_kg.integration.methods import Methods, TeachingView
 from foon_kg.integration.preparing.preparation import as_there, wants_of

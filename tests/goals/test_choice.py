@@ -18,9 +18,11 @@ from foon_kg.goals.choice import MOST_FITTED, fits, refusals, shortlisted
 from foon_kg.goals.names import named_alike
 from foon_kg.goals.recorded import recorded
 from foon_kg.goals.score import missing_core
+from foon_kg.integration.joining.joiners import Joiners
 from foon_kg.integration.joining.layouts import MAIN, is_need
 from foon_kg.integration.joining.outlines import Outline, Outlines, closing_heat
-from foon_kg.integration.joining.places import NATURAL, Joiners, Matcher
+from foon_kg.integration.joining.places import Matcher
+from foon_kg.integration.joining.spots import NATURAL
 from foon_kg.integration.preparing.preparation import wants_of
 from foon_kg.model import RequiredIngredient
 

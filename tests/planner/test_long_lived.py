@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
 
-from foon_kg.integration.joining import places
+from foon_kg.integration.joining import joiners, places
 from foon_kg.integration.teaching import operators
 from foon_kg.model import Recipe
 from foon_kg.model.errors import NoTreeError
@@ -22,7 +22,7 @@ from foon_kg.world import reading
 
 ROOM = (
     (references, "MOST_TREES"), (ground, "MOST_TREES"), (likes, "MOST_KEPT"), (operators, "MOST_KEPT"),
-    (places, "MOST_JOINERS"), (places, "MOST_JOINED"), (reading, "MOST_READ"),
+    (joiners, "MOST_JOINERS"), (places, "MOST_JOINED"), (reading, "MOST_READ"),
 )  # fmt: skip
 
 

@@ -9,8 +9,7 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.composing.coated import coated_apart
 from foon_kg.integration.joining.patterns import COOK, MIX, SHAPE, SIMMER, STIR, TOP, TURN
-from foon_kg.integration.joining.places import NATURAL
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.spots import NATURAL, Join
 from foon_kg.integration.preparing.preparation import Want, as_mash, owed
 from foon_kg.integration.teaching.frames import Line, Stage
 

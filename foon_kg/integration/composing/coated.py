@@ -9,8 +9,7 @@ from foon_kg.food import Tables, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.course import COATS
 from foon_kg.integration.joining.patterns import BAKE, COOK, MIX, SIMMER, STIR, TOP, TURN
-from foon_kg.integration.joining.places import NATURAL
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.spots import NATURAL, Join
 from foon_kg.integration.preparing.preparation import Want, owed
 from foon_kg.integration.teaching.frames import Line, Stage
 

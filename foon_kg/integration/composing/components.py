@@ -17,8 +17,7 @@ from foon_kg.food.techniques import Around, Component, Foods, Technique, compone
 from foon_kg.integration.composing.techniques import carried_out, means, stage_of
 from foon_kg.integration.joining.course import HEATS, MIXES
 from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
-from foon_kg.integration.joining.places import NATURAL
-from foon_kg.integration.joining.spots import Join, Spot, only_carries, spots_of
+from foon_kg.integration.joining.spots import NATURAL, Join, Spot, only_carries, spots_of
 from foon_kg.integration.preparing.preparation import SECOND, Want
 from foon_kg.integration.teaching.frames import Line, Stage
 

@@ -6,8 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from foon_kg.food.lists import word_list
-from foon_kg.integration.joining.places import NATURAL
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.spots import NATURAL, Join
 from foon_kg.integration.teaching.frames import Line, Phase, Stage
 
 _BEAT = Stage((), "whisk", frozenset({"mix", "whip"}), ("whisk",), "mixing bowl", "in", "", "", "", (), 0)

@@ -9,8 +9,7 @@ from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.composing.techniques import stage_of
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
-from foon_kg.integration.joining.places import NATURAL
-from foon_kg.integration.joining.spots import Join, Spot, only_carries
+from foon_kg.integration.joining.spots import NATURAL, Join, Spot, only_carries
 from foon_kg.integration.preparing.preparation import SECOND, Want
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 

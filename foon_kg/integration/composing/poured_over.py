@@ -8,8 +8,7 @@ from dataclasses import replace
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.course import HEATS
-from foon_kg.integration.joining.places import NATURAL
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.spots import NATURAL, Join
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 

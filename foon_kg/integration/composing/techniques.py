@@ -13,8 +13,7 @@ from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques_called, ways, works
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.course import HEATS
-from foon_kg.integration.joining.places import NATURAL
-from foon_kg.integration.joining.spots import Join, spots_of
+from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want, owed
 from foon_kg.integration.teaching.frames import BATH, Line, Phase, Slot, Stage
 from foon_kg.integration.teaching.operators import form_of

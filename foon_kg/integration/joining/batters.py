@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from foon_kg.food import Tables
+from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.spots import Join, Spot
 from foon_kg.integration.preparing.preparation import Want
@@ -35,26 +35,42 @@ class Batter:
 
 def batter_of(spots: Sequence[Spot], known: Tables) -> Batter | None:
     """Return where the batter of a frame comes together; ``None`` for a frame that bakes none."""
-    mixing = [spot for spot in spots if spot.post[0] in _MIXES and spot.heats_later and "heat" not in spot.stage.does]
-    kneaded = any("knead" in spot.stage.does for spot in spots)
-    baked = any(spot.stage.appliance == "oven" and "heat" in spot.stage.does for spot in spots)
-    if not mixing or kneaded or not baked:
+    foods = _mixed(spots, known)
+    if not foods or not _is_baked_unkneaded(spots):
         return None
-
-    def most(*traits: str) -> Spot | None:
-        foods = {id(spot): [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots] for spot in mixing}
-        counts = {
-            spot: sum(food.is_a(*traits) and not food.is_a("water") for food in foods[id(spot)]) for spot in mixing
-        }
-        best = max(mixing, key=lambda spot: counts[spot])
-        return best if counts[best] else None
-
-    dry, sweet, fat, wet = most("flour", "leaven"), most(*_SWEET), most("fat"), most(*_WET)
+    dry, sweet = _most_of(foods, "flour", "leaven"), _most_of(foods, *_SWEET)
+    fat, wet = _most_of(foods, "fat"), _most_of(foods, *_WET)
     if dry is None or sweet is None or fat is None or wet is None:
         return None
-    whole = next((spot for spot in spots if dry.side and spot.path == dry.path[:-2]), dry)
-    last = mixing[-1]
-    return Batter(dry, sweet, fat, wet, last, whole if whole in mixing else wet)
+    whole = _taken_at(dry, spots)
+    return Batter(dry, sweet, fat, wet, [*foods][-1], whole if whole in foods else wet)
+
+
+def _mixed(spots: Sequence[Spot], known: Tables) -> dict[Spot, list[Food]]:
+    """Return the stages at which something is mixed that is heated later, with the foods that join there."""
+    mixing = (spot for spot in spots if spot.post[0] in _MIXES and _is_before_the_heat(spot))
+    return {spot: [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots] for spot in mixing}
+
+
+def _taken_at(dry: Spot, spots: Sequence[Spot]) -> Spot:
+    """Return where what is mixed apart joins the rest; the stage itself where it is not apart."""
+    return next((spot for spot in spots if dry.side and spot.path == dry.path[:-2]), dry)
+
+
+def _is_before_the_heat(spot: Spot) -> bool:
+    return spot.heats_later and "heat" not in spot.stage.does
+
+
+def _is_baked_unkneaded(spots: Sequence[Spot]) -> bool:
+    baked = any(spot.stage.appliance == "oven" and "heat" in spot.stage.does for spot in spots)
+    return baked and not any("knead" in spot.stage.does for spot in spots)
+
+
+def _most_of(foods: Mapping[Spot, Sequence[Food]], *traits: str) -> Spot | None:
+    """Return the first stage at which most foods of such ``traits`` join; water is none of what runs."""
+    counts = {spot: sum(one.is_a(*traits) and not one.is_a("water") for one in there) for spot, there in foods.items()}
+    best = max(counts, key=lambda spot: counts[spot])
+    return best if counts[best] else None
 
 
 def is_thin(batter: Batter) -> bool:
@@ -82,31 +98,41 @@ def binds(foods: Iterable[str], known: Tables) -> bool:
 
 def as_batter(batter: Batter, joins: Sequence[Join], known: Tables) -> list[Join]:
     """Return the joins with every food of a batter where foods of its part join."""
-    found = []
-    for join in joins:
-        spot = _spot(batter, join, known) if join.spot.heats_later and "heat" not in join.spot.stage.does else join.spot
-        kept = spot is join.spot
-        found.append(join if kept else replace(join, spot=spot, slot=None))
-    fats = [join for join in found if join.want.facts.is_a("fat")]
-    if fats and all("heat" in join.spot.stage.does for join in fats):  # the tin takes some of it, and not all
-        found = [replace(join, spot=batter.fat, slot=None) if join in fats else join for join in found]
+    found = _with_its_fat(batter, [_in_its_part(batter, join, known) for join in joins])
     alone = [join for join in found if join.spot is batter.dry]
     if len(alone) == 1 and batter.dry is not batter.whole:
         found[found.index(alone[0])] = replace(alone[0], spot=batter.whole)
     return found
 
 
+def _in_its_part(batter: Batter, join: Join, known: Tables) -> Join:
+    """Return a food where those of its part join, unless it joins what is hot or baked already."""
+    spot = _spot(batter, join, known) if _is_before_the_heat(join.spot) else join.spot
+    return join if spot is join.spot else replace(join, spot=spot, slot=None)
+
+
+def _with_its_fat(batter: Batter, joins: list[Join]) -> list[Join]:
+    """Return ``joins`` with some fat in the batter: the tin takes some of it, and not all."""
+    fats = [join for join in joins if join.want.facts.is_a("fat")]
+    if not fats or any("heat" not in join.spot.stage.does for join in fats):
+        return joins
+    return [replace(join, spot=batter.fat, slot=None) if join in fats else join for join in joins]
+
+
 def _spot(batter: Batter, join: Join, known: Tables) -> Spot:
     want = join.want
-    form = form_of(known, want.label, (want.make,) if want.make else want.leaf)
-    runs = want.squeezed or form == "liquid" or (form == "soft" and not want.facts.is_a("fat"))
     early = join.slot is not None and join.spot is not batter.dry and join.spot.path[:1] <= batter.whole.path[:1]
-    wet = join.spot if early else batter.wet
     parts = (
         (want.facts.is_a("fat"), batter.fat),
         (want.facts.is_a(*_SWEET), batter.sweet),
-        (runs or want.facts.is_a("egg"), wet),
+        (_runs(want, known) or want.facts.is_a("egg"), join.spot if early else batter.wet),
         (want.facts.is_a(*_DRY), batter.dry),
         (want.facts.is_a(*_PIECES), batter.last),
     )
     return next((spot for holds, spot in parts if holds), join.spot)
+
+
+def _runs(want: Want, known: Tables) -> bool:
+    """Whether a food is liquid or soft when it joins; soft fat is creamed, and does not run."""
+    form = form_of(known, want.label, (want.make,) if want.make else want.leaf)
+    return want.squeezed or form == "liquid" or (form == "soft" and not want.facts.is_a("fat"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -34,14 +34,12 @@ class Place:
 class Layout:
     """A frame as places: worked out once, whatever is asked.
 
-    ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
-    ``bound`` is where foods are mixed that are then shaped as one, and ``pan`` where they are cooked; eggs are
-    beaten at ``beaten`` that set by dry heat. ``laid`` is where foods are laid on dough that is rolled out, before it
-    is baked. ``turned`` is where what was fried on both sides is served. ``batter`` is where a batter comes together.
-    ``past`` is where other foods join a dish that is boiled and
-    drained, and no more. ``raw``: something in it is never cooked that has to be. ``dry``: there is nothing like a soup
-    in it. ``made`` has what the dish makes on its way, by its words, whether that is a dough and is shaped, and the
-    stage that takes it.
+    ``open`` are the stages at which foods without a slot may join. ``bound`` is where foods are mixed that are then
+    shaped as one, and ``pan`` where they are cooked; eggs are beaten at ``beaten`` that set by dry heat. ``laid`` is
+    where foods are laid on dough that is rolled out, before it is baked. ``turned`` is where what was fried on both
+    sides is served. ``batter`` is where a batter comes together. ``past`` is where other foods join a dish that is
+    boiled and drained, and no more. ``raw``: something in it is never cooked that has to be. ``made`` has what the dish
+    makes on its way, by its words, whether that is a dough and is shaped, and the stage that takes it.
     """
 
     frame: Frame
@@ -56,8 +54,6 @@ class Layout:
     laid: Spot | None
     turned: Spot | None
     batter: Batter | None
-    heats: bool
-    dry: bool
     raw: bool
     made: tuple[tuple[frozenset[str], bool, bool, str, Spot], ...]
 
@@ -73,17 +69,37 @@ class Layout:
         return tuple(apart) or self.open
 
     @cached_property
+    def heats(self) -> bool:
+        """Whether the dish itself is heated."""
+        return any("heat" in spot.stage.does and not spot.side for spot in self.spots)
+
+    @cached_property
+    def dry(self) -> bool:
+        """Whether there is nothing like a soup in it."""
+        return not any("liquid" in spot.stage.does or "water" in spot.kinds for spot in self.spots)
+
+    @cached_property
+    def done(self) -> tuple[Spot, ...]:
+        """The stages of the dish itself that come when it is cooked."""
+        return tuple(spot for spot in self.spots if spot.post[1] == "before" and not spot.side)
+
+    @cached_property
     def cold_lines(self) -> Mapping[tuple[int, ...], frozenset[str]]:
         """The side lines that are made of several foods and without heat, and what is done in each."""
         found = {}
-        for line in dict.fromkeys(
-            spot.path[: place + 1] for spot in self.spots for place in range(1, len(spot.path), 2)
-        ):
+        for line in self._side_lines:
             stages = [spot.stage for spot in self.spots if spot.path[: len(line)] == line]
             does = frozenset().union(*(stage.does for stage in stages))
-            if "heat" not in does and sum(1 for stage in stages for _ in stage.slots) > 1:
+            foods = [slot for stage in stages for slot in stage.slots]
+            if "heat" not in does and len(foods) > 1:
                 found[line] = does
         return found
+
+    @property
+    def _side_lines(self) -> Iterable[tuple[int, ...]]:
+        """The paths of its side lines: a stage's place and the number of what joins there, however deep."""
+        ends = ((spot, end) for spot in self.spots for end in range(2, len(spot.path) + 1, 2))
+        return dict.fromkeys(spot.path[:end] for spot, end in ends)
 
     @cached_property
     def hottest(self) -> int:
@@ -94,34 +110,40 @@ class Layout:
     def of(cls, frame: Frame, known: Tables) -> Layout:
         """Return the layout of a frame."""
         spots = tuple(spots_of(frame.line))
-        needs = {need for dish in known.dishes_named(frame.dish_type) for needs in dish.needs for need in needs}
-        places = []
-        for spot in spots:
-            for slot in spot.stage.slots:
-                food = known.foods.food(slot.food)
-                met = frozenset(need for need in needs if is_need(need, food))
-                places.append(Place(slot, spot, met, bool(met) and food.is_a(*MAIN)))
+        places = tuple(_places(spots, frame.dish_type, known))
         drained = frozenset(id(spot) for spot in spots if _is_drained(spot, known))
         laid = _laid(spots, known)
         bound = _bound(spots) if laid is None else None
         return cls(
             frame,
             spots,
-            tuple(places),
-            tuple(spot for spot in spots if _is_open(spot, known)),
-            drained,
-            _past(spots, drained),
-            bound,
-            _beaten(spots, known),
-            _pan(spots, bound),
-            laid,
-            _turned(spots),
-            batter_of(spots, known),
-            any("heat" in spot.stage.does for spot in spots if not spot.side),
-            not any("liquid" in spot.stage.does or "water" in spot.kinds for spot in spots),
-            any(_stays_raw(place, frame.dish_type, known) for place in places),
-            tuple(_made(spots, known)),
+            places,
+            open=tuple(spot for spot in spots if _is_open(spot, known)),
+            drained=drained,
+            past=_past(spots, drained),
+            bound=bound,
+            beaten=_beaten(spots, known),
+            pan=_pan(spots, bound),
+            laid=laid,
+            turned=_turned(spots),
+            batter=batter_of(spots, known),
+            raw=any(_stays_raw(place, frame.dish_type, known) for place in places),
+            made=tuple(_made(spots, known)),
         )
+
+
+def _places(spots: Sequence[Spot], dish_type: str, known: Tables) -> Iterator[Place]:
+    """Yield the slots of stages as places of a dish of such a type."""
+    needs = {need for dish in known.dishes_named(dish_type) for needs in dish.needs for need in needs}
+    for spot in spots:
+        for slot in spot.stage.slots:
+            food = known.foods.food(slot.food)
+            met = frozenset(need for need in needs if is_need(need, food))
+            yield Place(slot, spot, met, bool(met) and food.is_a(*MAIN))
+
+
+def _foods_at(spot: Spot, known: Tables) -> list[Food]:
+    return [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots]
 
 
 def _is_open(spot: Spot, known: Tables) -> bool:
@@ -130,7 +152,7 @@ def _is_open(spot: Spot, known: Tables) -> bool:
         return False
     if spot.post[0] != "bake":
         return True
-    return any(not known.foods.food(slot.food, slot.states).is_a("fat", "flour") for slot in spot.stage.slots)
+    return _are_more_than_dusted(_foods_at(spot, known))
 
 
 def _made(spots: Sequence[Spot], known: Tables) -> Iterator[tuple[frozenset[str], bool, bool, str, Spot]]:
@@ -161,7 +183,7 @@ def _bound(spots: Sequence[Spot]) -> Spot | None:
 def _beaten(spots: Sequence[Spot], known: Tables) -> Spot | None:
     """Return the stage at which eggs are beaten that set by dry heat, in what is no batter."""
     for spot in spots:
-        foods = [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots]
+        foods = _foods_at(spot, known)
         eggs = any(food.is_a("egg") for food in foods) and not any(food.is_a("flour", "leaven") for food in foods)
         if eggs and spot.post[:2] == ("mix", "later") and not any("liquid" in stage.does for stage in spot.after):
             return spot
@@ -185,14 +207,26 @@ def _turned(spots: Sequence[Spot]) -> Spot | None:
 def _laid(spots: Sequence[Spot], known: Tables) -> Spot | None:
     """Return the last stage at which something comes onto dough that is rolled out, before it is done."""
     found, dough, shaped = None, False, False
-    for spot in (one for one in spots if not one.side):
-        slots = [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots]
-        if spot.post[0] == "shape" and dough and spot.heats_later and not slots:
+    for spot in spots:
+        if spot.side:
+            continue
+        foods = _foods_at(spot, known)
+        if dough and _only_shapes(spot):
             shaped, found = True, None
-        elif shaped and slots and spot.heats_later and any(not food.is_a("fat", "flour") for food in slots):
+        elif shaped and spot.heats_later and _are_more_than_dusted(foods):
             found = spot
-        dough = dough or any(food.is_a("flour", "dough") for food in slots)
+        dough = dough or any(food.is_a("flour", "dough") for food in foods)
     return found
+
+
+def _are_more_than_dusted(foods: Iterable[Food]) -> bool:
+    """Whether there are other foods than those with which a tin or a board is greased and dusted."""
+    return any(not food.is_a("fat", "flour") for food in foods)
+
+
+def _only_shapes(spot: Spot) -> bool:
+    """Whether what is there is rolled out or shaped before it is heated, and nothing joins it."""
+    return spot.post[0] == "shape" and spot.heats_later and not any(spot.stage.slots)
 
 
 def _stays_raw(place: Place, dish_type: str, known: Tables) -> bool:
@@ -207,9 +241,11 @@ def _stays_raw(place: Place, dish_type: str, known: Tables) -> bool:
 
 def _past(spots: Sequence[Spot], drained: frozenset[int]) -> Spot | None:
     """Return the last stage of a dish that is only carried on once it is drained."""
-    after = [spot for spot in spots if not spot.side and id(spot) not in drained]
-    before = [spot for spot in spots if not spot.side and id(spot) in drained]
-    return after[-1] if before and after and all(only_carries(spot.stage) for spot in after) else None
+    own = [spot for spot in spots if not spot.side]
+    after = [spot for spot in own if id(spot) not in drained]
+    if not after or len(after) == len(own):
+        return None
+    return after[-1] if all(only_carries(spot.stage) for spot in after) else None
 
 
 def is_need(need: str, food: Food) -> bool:

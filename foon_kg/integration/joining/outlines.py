@@ -112,11 +112,6 @@ class Outlines:
         other dish types only those count that are heated last in one of the ways of ``ends``, or (``None``) as some
         dish of ``dish_type`` is, if there is any. ``allowed`` says which names may be taken at all.
         """
-        there = np.zeros(len(self.all))
-        for food in foods:
-            found = [self._foods[name] for name in food.names if name in self._foods]
-            there[self._mask(self._kinds, [food.kind], found)] += food.weight
-        total = sum(food.weight for food in foods) or 1.0
         own = self._mask(self._types, [dish_type])
         taken = np.ones(len(self.all), bool)
         if allowed is not None:
@@ -126,7 +121,15 @@ class Outlines:
         if ends:
             taken &= own | self._mask(self._ends, ends)
         named, headed = self._mask(self._words, words(dish_type)), self._mask(self._heads, words(title))
-        return self._first(score(there / total, own, named, headed), taken, most)
+        return self._first(score(self._shares(foods), own, named, headed), taken, most)
+
+    def _shares(self, foods: Sequence[Sought]) -> Shares:
+        """Return of each outline which share of the weight of ``foods`` it has, by their names or kinds."""
+        there = np.zeros(len(self.all))
+        for food in foods:
+            found = [self._foods[name] for name in food.names if name in self._foods]
+            there[self._mask(self._kinds, [food.kind], found)] += food.weight
+        return there / (sum(food.weight for food in foods) or 1.0)
 
     def _first(self, scores: Shares, taken: Mask, most: int) -> list[str]:
         numbers = np.flatnonzero(taken)

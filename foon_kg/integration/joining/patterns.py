@@ -6,8 +6,7 @@ import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from foon_kg.integration.joining.places import NATURAL
-from foon_kg.integration.joining.spots import Join, spots_of
+from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.teaching.frames import Line, Stage
 
 MIX = Stage((), "mix", frozenset({"mix"}), ("spoon",), "mixing bowl", "in", "", "", "mixture", (), 0)

@@ -17,6 +17,12 @@ Post = tuple[str, str, bool]
 """What is done (``blend``, ``knead``, ``mix``, ``heat``, ``bake``, ``boil``, ``shape``, ``rest``, ``top``), when it is
 heated (``now``, ``later``, ``before``, ``never``), and whether the line joins another one."""
 
+NATURAL = 0.5
+"""A slot is natural for a food that its own can stand for with at least this confidence."""
+
+IN_PLACE = 0.95
+"""How well a food fits where a dish makes such a thing itself."""
+
 _WORKS = (
     ("blend", {"blend"}), ("knead", {"knead"}), ("bake", {"dry"}), ("boil", {"liquid"}), ("heat", {"heat", "warm"}),
     ("shape", {"shape"}), ("mix", {"mix", "whip", "mash"}), ("rest", {"wait"}),

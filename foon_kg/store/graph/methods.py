@@ -9,7 +9,7 @@ from functools import cached_property
 from foon_kg.food import tables
 from foon_kg.integration.joining.layouts import Layout
 from foon_kg.integration.joining.outlines import Outline, Outlines
-from foon_kg.integration.joining.places import Posts
+from foon_kg.integration.joining.posts import Posts
 from foon_kg.integration.joining.spots import Post
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.teaching.frames import Frame
