@@ -117,6 +117,11 @@ class Asked:
         return is_baked(self.dish_type, self.title, self.known)
 
     @cached_property
+    def is_eaten_cold(self) -> bool:
+        """Whether a dressing comes over it, and the title does not say that it is warm."""
+        return self.dressed and word_list("is eaten warm").isdisjoint(self.told)
+
+    @cached_property
     def in_a_pan(self) -> bool:
         """Whether the title says that the dish is cooked in a pan, and the type does not say that it is baked."""
         named = not word_list("is cooked in a pan").isdisjoint(self.told)

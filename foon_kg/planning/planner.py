@@ -266,7 +266,7 @@ class _Question:
         label = frame.goal.label if has_its_name(fit, asked, dish_type, tin, self.technique) else dish_type
         plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased(asked), one_pot=one_pot)
         drunk, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
-        plan = replace(plan, drunk=drunk, cold=cold)
+        plan = replace(plan, drunk=drunk, cold=cold, cooled=asked.is_eaten_cold)
         plan = as_told(plan, asked, tin) if self.technique is None else replace(plan, by_table=True)
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()

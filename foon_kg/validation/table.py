@@ -8,6 +8,7 @@ from foon_kg.food import Level, singular, words
 from foon_kg.food.bites import is_eaten_by_bites
 from foon_kg.food.lists import word_list
 from foon_kg.validation.case import Case
+from foon_kg.validation.meeting import hot_on_cold, lumpy
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import of_world
 from foon_kg.world import Happening, Part
@@ -119,7 +120,7 @@ def _asked_so(case: Case, part: Part) -> bool:
 
 
 def late(case: Case) -> Iterator[Finding]:
-    """K3: liquid after the last cooking; what is cooked beside what is eaten raw; eggs peeled boiling hot."""
+    """K3: liquid after the last cooking; what is cooked beside what is eaten raw; what joins too hot, or too dry."""
     cooked = [part.heated for part in case.parts if part.heated is not None]
     hot = any(dish.heated for dish in case.tables.dishes_named(*case.dish_types))
     if cooked and hot:
@@ -130,6 +131,8 @@ def late(case: Case) -> Iterator[Finding]:
     for happening in case.happenings:
         yield from _peeled_hot(happening)
         yield from _killed(case, happening)
+    yield from hot_on_cold(case)
+    yield from lumpy(case)
 
 
 def _killed(case: Case, happening: Happening) -> Iterator[Finding]:

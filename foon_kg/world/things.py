@@ -19,9 +19,10 @@ class Part:
     ``done`` maps each treatment (cut, peel, cook, boil, shell …) to the step that gave it, -1 where it was bought or
     assumed so. ``fine`` says how small its pieces are, 0 whole to 5 powder. ``remains`` is what nobody eats (a husk, a
     skin). ``joined`` is the step that last brought it to other foods, ``mixed`` the one that last mixed it with them,
-    ``heated`` the one that last heated it. ``untold``: nobody ever said in which state it is (a name in a
-    ``{}``), so that it is not judged raw or whole. ``spoonful``: it came in a spoon, too little to cook anything in.
-    ``origin`` numbers what was taken once: portions of it have the same. ``name`` is the food's, in the singular.
+    ``heated`` the one that last heated it, ``cooled`` the first one after that at which it waited or was rinsed.
+    ``untold``: nobody ever said in which state it is (a name in a ``{}``), so that it is not judged raw or whole.
+    ``spoonful``: it came in a spoon, too little to cook anything in. ``origin`` numbers what was taken once: portions
+    of it have the same. ``name`` is the food's, in the singular.
     """
 
     food: Food
@@ -33,6 +34,7 @@ class Part:
     joined: int | None = None
     mixed: int | None = None
     heated: int | None = None
+    cooled: int | None = None
     untold: bool = False
     spoonful: bool = False
     origin: int = 0
@@ -50,7 +52,7 @@ class Part:
         """Return another portion of it."""
         return Part(
             self.food, self.states, self.taken, dict(self.done), self.fine, remains or self.remains,
-            self.joined, self.mixed, self.heated, self.untold, self.spoonful, self.origin,
+            self.joined, self.mixed, self.heated, self.cooled, self.untold, self.spoonful, self.origin,
         )  # fmt: skip
 
 

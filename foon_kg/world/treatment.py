@@ -47,6 +47,8 @@ def apply(supply: Supply, happening: Happening) -> None:
         for vessel in (*happening.vessels, *happening.heated):
             vessel.hot = True
         _heat(supply, happening)
+    elif happening.does("wait", "clean"):
+        _cool(happening)
     _join(happening)
     before = {state for mention in happening.step.inputs for state in mention.node.states}
     for said in happening.said_out:
@@ -112,6 +114,13 @@ def _heat(supply: Supply, happening: Happening) -> None:
                 part.done.setdefault("cook", happening.number)
                 if bath and not happening.does("dry"):
                     part.done.setdefault("boil", happening.number)
+
+
+def _cool(happening: Happening) -> None:
+    """Note what stood a while, or was rinsed, for the first time since it was heated: it is no longer hot."""
+    for part in (part for lump in happening.treated for part in lump.parts):
+        if part.cooled is None or part.cooled < (part.heated or 0):
+            part.cooled = happening.number
 
 
 def _join(happening: Happening) -> None:

@@ -58,7 +58,7 @@ class Bench(Handwork):
 
     def _is_done_with(self, vessel: Vessel) -> bool:
         """Whether a vessel that was heated is emptied or off the heat."""
-        return vessel.hot and (not vessel.contents or not self.is_running(vessel))
+        return vessel.number in self.standing and (not vessel.contents or not self.is_running(vessel))
 
     def take_off(self, vessel: Vessel) -> None:
         """Take a vessel off, out of or from its appliance."""

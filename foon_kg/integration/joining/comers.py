@@ -162,6 +162,13 @@ def is_strewn(join: Join) -> bool:
     return join.on_top or (facts.is_a("topping", "herb") and phase_of(facts) == LAST)
 
 
+def is_dry_binder(joins: Sequence[Join]) -> bool:
+    """Whether there is nothing but flour or starch, with what seasons it: a cook stirs it into the fat as it is."""
+    facts = [join.want.facts for join in joins]
+    binds = [one for one in facts if one.kind in word_list("makes lumps")]
+    return bool(binds) and all(one in binds or _seasons(one) for one in facts)
+
+
 def needs_pan(facts: Food) -> bool:
     """Whether a food is not done when eggs set around it."""
     raw = facts.is_a(*word_list("is flesh")) and not facts.is_a("ready")

@@ -24,7 +24,8 @@ class Plan:
     ``goal`` is what the recorded dish is called. ``cooked_by`` are the motions by which foods of a kind are cooked on
     their own in this FOON; foods of the kinds in ``eased`` may stay raw in such a dish. ``tin`` is what the batter
     or dough of such a dish is baked in; ``stacked``: the dish is put together on bread at the end;
-    ``one_pot``: what is boiled is boiled in it; ``cold``: it is served cold; ``flat``: its dough is rolled out;
+    ``one_pot``: what is boiled is boiled in it; ``cold``: it is served cold; ``cooled``: what is cooked for it is no
+    longer hot when it meets the rest; ``flat``: its dough is rolled out;
     ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork;
     ``laid``: it lies on dough, and bakes no longer than that; ``portioned``: its dough is cut into pieces;
     ``spooned``: all that is in it is eaten with the spoon; ``by_bites``: with a spoon or fork alone;
@@ -41,6 +42,7 @@ class Plan:
     stacked: bool = False
     one_pot: bool = False
     cold: bool = False
+    cooled: bool = False
     flat: bool = False
     grilled: bool = False
     in_pieces: bool = False

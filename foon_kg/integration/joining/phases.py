@@ -26,6 +26,7 @@ from foon_kg.integration.joining.comers import (
     boils,
     in_parts,
     is_bath,
+    is_dry_binder,
     is_strewn,
     makes_a_sauce,
     needs_pan,
@@ -265,14 +266,7 @@ class _Phaser:
         if not _is_mixed_cold(line):
             return []
         foods = self._foods(line)
-        eggs = any_is(foods, "egg") and not any_is(foods, *word_list("is held together with eggs"))
-        bath = not sets and any(_is_bath_for_eggs(join.want.facts) for join in foods)
-
-        def comes_by_itself(facts: Food) -> bool:
-            fried_before = eggs and not facts.is_a("fat") and needs_pan(facts)
-            return fried_before or (bath and facts.is_a("egg"))
-
-        found = [join for join in foods if comes_by_itself(join.want.facts)]
+        found = foods if is_dry_binder(foods) else _unbeaten(foods, sets=sets)
         for joins in self.at.values():
             joins[:] = [join for join in joins if join not in found]
         return found
@@ -374,6 +368,18 @@ def _has_to_boil_here(want: Want) -> bool:
     """Whether a food is not done unless it is boiled, and nobody boils such by itself."""
     boiled_apart = want.cooked or want.facts.is_a(*word_list("is boiled by itself"))
     return "boil" in want.facts.owes and not boiled_apart
+
+
+def _unbeaten(foods: Sequence[Join], *, sets: bool) -> list[Join]:
+    """Return what of foods mixed cold is not beaten with the eggs among them, or eggs that come to a liquid."""
+    eggs = any_is(foods, "egg") and not any_is(foods, *word_list("is held together with eggs"))
+    bath = not sets and any(_is_bath_for_eggs(join.want.facts) for join in foods)
+
+    def comes_by_itself(facts: Food) -> bool:
+        fried_before = eggs and not facts.is_a("fat") and needs_pan(facts)
+        return fried_before or (bath and facts.is_a("egg"))
+
+    return [join for join in foods if comes_by_itself(join.want.facts)]
 
 
 def _same_place(one: Stage, other: Stage) -> bool:

@@ -10,6 +10,7 @@ from foon_kg.integration.bench import Bench, Stuff, Vessel
 from foon_kg.integration.joining.course import HEATS, MIXES
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.carrying import Carrier
+from foon_kg.integration.making.cooling import Cooling
 from foon_kg.integration.making.precooking import POWDER, Precooking
 from foon_kg.integration.preparing.preparation import Ready, Want, owed
 from foon_kg.integration.teaching.frames import Stage
@@ -29,6 +30,7 @@ class Alone:
         self.preparer = precooking.preparer
         self.carry = carry
         self.ready = ready
+        self.cooling = Cooling(self.bench, self.plan, precooking.course)
 
     # --- water ---
 
@@ -109,8 +111,14 @@ class Alone:
         if self.precooking.is_fried_open(join.want):
             self._pan_cook(ready, method)
             return
-        if any("dry" in self.known.motion(motion).does for motion in method) and self._bake_alone(ready, method):
-            return
+        dry = any("dry" in self.known.motion(motion).does for motion in method)
+        baked = dry and self._bake_alone(ready, method)
+        if baked or not self._is_rinsed_on_the_stove(join, ready, method):
+            self.cooling.alone(join, ready)
+        self.preparer.cut_now(ready)
+
+    def _is_rinsed_on_the_stove(self, join: Join, ready: Ready, method: Sequence[str]) -> bool:
+        """Boil a food by itself or cook it in a pan; return whether it was cooled under water then."""
         boiled = self._is_boiled(ready, method)
         if boiled:
             self._boil(ready)
@@ -118,13 +126,13 @@ class Alone:
             self._pan_cook(ready, method)
         if ready.whole_shell:
             ready.whole_shell = False
-            self.preparer.rinse(ready, "washed")  # which cools it
-            self.preparer.shelled(ready, _joins_as(join))
-        elif boiled and self._is_eaten_cold(join):
             self.preparer.rinse(ready, "washed")
-        if join.want.asked in word_list("is so by cooling"):
-            self._cool(ready)
-        self.preparer.cut_now(ready)
+            self.preparer.shelled(ready, _joins_as(join))
+            return True
+        rinsed = boiled and self._is_eaten_cold(join)
+        if rinsed:
+            self.preparer.rinse(ready, "washed")
+        return rinsed
 
     def _is_boiled(self, ready: Ready, method: Sequence[str]) -> bool:
         """Whether a food is cooked in water: by its method, as it is asked, or because it is still in its shell."""
@@ -134,11 +142,6 @@ class Alone:
         if any("liquid" in self.known.motion(motion).does for motion in method):
             return True
         return ready.whole_shell and form_of(self.known, want.label, want.leaf) == "whole"
-
-    def _cool(self, ready: Ready) -> None:
-        """Let what was cooked cool where it is."""
-        if ready.stuff.at is not None:
-            self.bench.let_cool(ready.stuff.at, ready.stuff, ready.want.names)
 
     def _bake_alone(self, ready: Ready, method: Sequence[str]) -> bool:
         """Bake a food by itself on a tray, with some of the fat that was asked; return whether the FOON shows how."""
@@ -161,7 +164,6 @@ class Alone:
 
         bench.emit(attested, [tray, (device, tray), *tray.contents], change, [tray, *tray.contents])
         bench.heat_off(tray)
-        self.preparer.cut_now(ready)
         return True
 
     def _is_eaten_cold(self, join: Join) -> bool:

@@ -49,7 +49,7 @@ class Carrier:
 
     def _clinging(self, stuff: Stuff, source: Vessel | None) -> list[Stuff]:
         """Return the fat in which a food was fried: nobody pours that out of its pan without it."""
-        if source is None or source.storage or not source.hot:
+        if source is None or source.storage or not (source.hot or "cooled" in stuff.states):
             return []
         others = [one for one in source.contents if one is not stuff]
         return others if all(self.known.foods.food(one.label).is_a("fat") for one in others) else []

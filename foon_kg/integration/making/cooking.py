@@ -23,6 +23,7 @@ from foon_kg.integration.making.dipping import Dipping
 from foon_kg.integration.making.placing import Placing
 from foon_kg.integration.making.precooking import Precooking
 from foon_kg.integration.making.serving import Serving
+from foon_kg.integration.making.smoothing import Smoothing
 from foon_kg.integration.making.stages import Stages
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready, Want
@@ -54,6 +55,7 @@ class Cooking:
         self.work = Worker(bench, plan)
         self.serving = Serving(bench, plan, self.carry, self.work, self.ready)
         self.dipping = Dipping(bench, self.carry, self.work, self.ready)
+        self.smoothing = Smoothing(bench, plan, self.carry, self.work, self.ready)
         self.stages = Stages(self.course, plan, self.known)
         self.placing = Placing(bench, self.stages, self.carry, self.work, self.ready)
 
@@ -268,6 +270,8 @@ class Cooking:
             self._cook_base_now(joins, [*lines, vessel])
             return self.serving.stack(stage, vessel, joins, lines)
         self._cook_base_now(joins, [*lines, vessel])
+        beside = [(add, subs[id(add)]) for add in stage.adds if isinstance(add, Line) and id(add) in subs]
+        self.alone.cooling.before(stage, vessel, beside, later)
         if self.dipping.is_for(stage, vessel, joins, lines):
             return self.dipping.done(stage, vessel, joins, lines)
         return self._brought_and_done(stage, vessel, joins, lines, later, main=main)
@@ -371,6 +375,10 @@ class Cooking:
         if on_stove and one.want.facts.is_a(*word_list("comes when it boils")):
             self.carry.water.boil(vessel)
         self.alone.boil_water_first(one)
+        smooth = self.smoothing.made(one, vessel)
+        if smooth is not None:
+            self.carry.transfer(smooth, vessel, stage)
+            return
         self.carry.bring(self.ready[one.want.number], vessel, one.slot)
 
     # --- heat and work ---

@@ -1,0 +1,55 @@
+"""Letting cool what was cooked before it meets what is eaten cold: leaves wilt under it, and mayonnaise runs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of
+from foon_kg.integration.joining.course import HEATS, Course, Plan
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.preparing.preparation import Ready
+from foon_kg.integration.teaching.frames import Line, Stage
+
+_NO_LONGER_HOT = word_list("is no longer hot")
+
+
+class Cooling:
+    """Lets foods cool on a bench, for a dish that is eaten cold."""
+
+    def __init__(self, bench: Bench, plan: Plan, course: Course) -> None:
+        self.bench = bench
+        self.plan = plan
+        self.course = course
+
+    def alone(self, join: Join, ready: Ready) -> None:
+        """Let a food cool that was cooked by itself, where it is asked so or joins what stays cold."""
+        asked = join.want.asked in word_list("is so by cooling")
+        if asked or (self.plan.cooled and not join.spot.heats_later):
+            self._cool(ready.stuff.at, ready.stuff)
+
+    def before(
+        self, stage: Stage, vessel: Vessel | None, beside: Sequence[tuple[Line, Vessel]], later: Sequence[Stage]
+    ) -> None:
+        """Let cool what is in ``vessel`` and what was made ``beside`` it, where nothing is heated any more."""
+        comers = len(self.course.ordered(stage)) + len(beside)
+        if not self.plan.cooled or not comers or any(not one.does.isdisjoint(HEATS) for one in (stage, *later)):
+            return
+        if vessel is not None and self.course.is_hot(stage):
+            self._cool_all(vessel)
+        for line, made in beside if vessel is not None or comers > 1 else ():
+            if any(not one.does.isdisjoint(HEATS) for one in line.all_stages()):
+                self._cool_all(made)
+
+    def _cool_all(self, vessel: Vessel) -> None:
+        """Let cool what is in a vessel; the fat in which something was fried does so with it."""
+        fat = self.bench.known.foods.food
+        solids = [stuff for stuff in vessel.contents if stuff.mixed or not fat(stuff.label).is_a("fat")]
+        self._cool(vessel, *solids[:1])
+
+    def _cool(self, vessel: Vessel | None, *stuffs: Stuff) -> None:
+        if vessel is None or any(not _NO_LONGER_HOT.isdisjoint(stuff.states) for stuff in stuffs):
+            return
+        self.bench.heat_off(vessel)
+        for stuff in stuffs:
+            self.bench.let_cool(vessel, stuff, foods_of(vessel))

@@ -1,0 +1,52 @@
+"""Stirring smooth with cold water what would make lumps in a hot liquid: starch, and flour without fat to fry in."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from foon_kg.food import Food
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Bench, Vessel, foods_of
+from foon_kg.integration.joining.course import Plan
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.making.carrying import Carrier
+from foon_kg.integration.making.working import Worker
+from foon_kg.integration.preparing.preparation import Ready
+
+_MIXTURE = "mixture"
+
+
+class Smoothing:
+    """Stirs on a bench what binds a sauce; ``ready`` are the prepared foods by the numbers of what was asked."""
+
+    def __init__(self, bench: Bench, plan: Plan, carry: Carrier, work: Worker, ready: Mapping[int, Ready]) -> None:
+        self.bench = bench
+        self.known = bench.known
+        self.plan = plan
+        self.carry = carry
+        self.work = work
+        self.ready = ready
+
+    def made(self, join: Join, vessel: Vessel) -> Vessel | None:
+        """Stir a food smooth in a bowl of its own and return that, where it would come dry to a hot liquid."""
+        stuff = self.ready[join.want.number].stuff
+        if not self._makes_lumps(join, vessel) or stuff.mixed or not word_list("runs").isdisjoint(stuff.states):
+            return None
+        bowl = self.bench.vessel("bowl")
+        self.carry.bring(self.ready[join.want.number], bowl, None)
+        self.carry.water.add(bowl)
+        self.bench.work(bowl, self.work.stirring(foods_of(bowl)), _MIXTURE, ("mixed",), with_device=False)
+        return bowl
+
+    def _makes_lumps(self, join: Join, vessel: Vessel) -> bool:
+        """Whether a food makes lumps in what is in a vessel, and no batter or dough with what comes to it."""
+        if join.want.facts.kind not in word_list("makes lumps") or not vessel.hot:
+            return False
+        if any(one.want.facts.is_a(*word_list("makes no sauce of what binds")) for one in self.plan.joins):
+            return False
+        foods = [self.known.foods.food(food) for food in foods_of(vessel)]
+        return any(food.is_of(*word_list("is a bath")) or self._runs(food) for food in foods)
+
+    @staticmethod
+    def _runs(food: Food) -> bool:
+        return food.is_a("liquid", "creamy") and not food.is_a("fat")

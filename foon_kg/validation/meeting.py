@@ -1,0 +1,72 @@
+"""What meets what, and how hot (docs/contract.md, K3): nothing hot on what stays cold, no dry flour in what is hot."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+
+from foon_kg.food import words
+from foon_kg.food.lists import word_list
+from foon_kg.validation.case import Case
+from foon_kg.validation.report import Finding
+from foon_kg.world import Happening, Lump, Part, Vessel
+
+
+def hot_on_cold(case: Case) -> Iterator[Finding]:
+    """Yield a finding for what comes hot to leaves or to what is creamy in a cold dish: it did not cool before."""
+    title = words(case.recipe.title or "") if case.recipe else ()
+    dressed = any(dish.dressed for dish in case.tables.dishes_named(*case.dish_types))
+    if not dressed or not word_list("is eaten warm").isdisjoint(title):
+        return
+    cold = [part for part in case.parts if part.heated is None and part.food.is_a(*word_list("suffers from heat"))]
+    hot = [part for part in case.parts if part.heated is not None and not part.food.is_a(*word_list("only flavours"))]
+    for part in hot:
+        meets = [max(part.joined or 0, other.joined or 0) for other in cold]
+        if any(not _has_cooled(part, meeting) for meeting in meets):
+            yield Finding("K3", f"{part.name} comes hot to {cold[0].name}", part.joined, minor=True)
+
+
+def _has_cooled(part: Part, meeting: int) -> bool:
+    """Whether a food cooled between its last heating and the step at which it meets another."""
+    heated, cooled = part.heated, part.cooled
+    return heated is not None and cooled is not None and heated < cooled <= meeting
+
+
+def lumpy(case: Case) -> Iterator[Finding]:
+    """Yield a finding for each starch or flour that comes dry into a liquid that is hot: it makes lumps there.
+
+    Not where it makes a batter or a dough with what is in there: eggs or what makes it rise.
+    """
+    if any(part.food.is_a(*word_list("makes no sauce of what binds")) for part in case.parts):
+        return
+    hot: defaultdict[int, set[str]] = defaultdict(set)
+    for happening in case.happenings:
+        for lump, _, vessel in happening.moved:
+            names = hot.get(id(vessel), set()) if vessel is not None else set()
+            wet = sorted(name for name in names if case.tables.foods.food(name).is_of(*word_list("is a bath")))
+            if wet and _is_dry_starch(lump, happening):
+                yield Finding("K3", f"{lump.label} comes dry into hot {wet[0]}", happening.number)
+        _keep_hot(happening, hot)
+
+
+def _is_dry_starch(lump: Lump, happening: Happening) -> bool:
+    """Whether what moved is starch or flour by itself, as it comes out of its packet."""
+    mention = next((node for node, one in happening.outputs.items() if one is lump), None)
+    if mention is None or mention.ingredients or not word_list("runs").isdisjoint(mention.states):
+        return False
+    return any(part.food.kind in word_list("makes lumps") and part.name == lump.label for part in lump.parts)
+
+
+def _keep_hot(happening: Happening, hot: dict[int, set[str]]) -> None:
+    """Keep by vessel the foods that were heated in it; what cools or is emptied holds none."""
+    gone = [*happening.emptied, *(happening.vessels if happening.does("wait", "clean") else ())]
+    for vessel in gone:
+        hot.pop(id(vessel), None)
+    for vessel in happening.heated if happening.does("heat", "warm") else ():
+        hot[id(vessel)] |= _inside(happening, vessel)
+
+
+def _inside(happening: Happening, vessel: Vessel) -> set[str]:
+    """Return the foods that a step says to be in a vessel."""
+    nodes = [mention.node for mention in happening.step.inputs if mention.node.label == vessel.label]
+    return {food for node in nodes for food in node.ingredients}

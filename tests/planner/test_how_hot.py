@@ -1,0 +1,54 @@
+"""What joins what, and how hot: nothing hot comes on what is eaten cold, and nothing dry makes lumps."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, motions
+
+pytestmark = [pytest.mark.shared_data, pytest.mark.slow]
+
+
+@pytest.mark.parametrize(
+    ("food", "beside"),
+    [
+        ("walnut:toasted", "apple:diced celery:chopped mayonnaise:creamy"),
+        ("chicken breast:cooked", "lettuce:chopped cucumber:sliced yogurt:creamy"),
+        ("rice:cooked", "pea:thawed onion:chopped mayonnaise:creamy"),
+        ("potato:diced", "celery:chopped mayonnaise:creamy mustard:creamy"),
+        ("bacon:fried", "spinach:leaves onion:sliced olive_oil:liquid vinegar:liquid"),
+    ],
+)
+def test_what_is_cooked_for_a_salad_cools_before_it_meets_the_rest(steps, food, beside):
+    told = steps("salad", "", food, *(one.replace("_", " ") for one in beside.split()))
+    label = food.partition(":")[0]
+    assert {"cool", "cool down"} & {one for inputs, one, _ in told if label in inputs}, motions(told)
+
+
+def test_what_was_rinsed_is_cold_and_a_warm_salad_does_not_cool(steps):
+    foods = "egg:hard boiled", "celery:chopped", "mayonnaise:creamy"
+    assert not {"cool", "cool down"} & set(motions(steps("salad", "Egg Salad", *foods)))
+    warm = steps("salad", "Warm Chicken Salad", "chicken breast:cooked", "lettuce:chopped", "olive oil:liquid")
+    assert not {"cool", "cool down"} & set(motions(warm))
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "foods"),
+    [
+        ("soup", "", "onion:dried cornstarch:powder bouillon:granulated basil:dried"),
+        ("beef", "Pot Roast", "chuck_roast:raw oil:liquid potato:cut carrot:cut beef_broth:liquid cornstarch:powder"),
+        ("noodle", "", "noodle:uncooked butter:stick milk:liquid cornstarch:powder cheddar:shredded"),
+    ],
+)
+def test_starch_is_stirred_smooth_with_cold_water_before_it_comes_to_a_hot_liquid(steps, dish_type, title, foods):
+    told = steps(dish_type, title, *(food.replace("_", " ") for food in foods.split()))
+    stirred = first(told, "cornstarch", "stir")
+    assert told[stirred][0] == {"cornstarch", "water", "bowl", "spoon"}
+    assert "faucet" in told[stirred - 1][0]
+
+
+def test_flour_measured_by_its_video_is_stirred_into_the_fat_before_the_liquid_comes(steps):
+    told = steps(
+        "soup", "", "broccoli:peeled", "onion:chopped", "water:liquid", "pea:thawed", "butter:softened", "flour:ground",
+        "half and half:liquid", "chive:minced",
+    )  # fmt: skip
+    assert first(told, "flour", "cook and stir") < next(n for n, one in enumerate(told) if one[0] >= {"water", "pot"})
