@@ -124,3 +124,9 @@ def is_truly(fit: Fit, share: float = _MOST) -> bool:
     slots = [id(slot) for slot, food in foods if not food.is_a(*SEASONS)]
     plain = fit.dish.type_words.issuperset(fit.dish.words) or not slots
     return plain or sum(slot in taken for slot in slots) >= share * len(slots)
+
+
+def has_mostly_its_foods(fit: Fit) -> bool:
+    """Return whether at least half of what is asked, but seasonings, has a place of its own in the recorded dish."""
+    body = [join.slot is not None for join in fit.joins if not join.want.facts.is_a(*SEASONS)]
+    return 2 * sum(body) >= len(body) or fit.dish.type_words.issuperset(fit.dish.words)

@@ -11,7 +11,7 @@ from foon_kg.food.bites import is_eaten_by_bites
 from foon_kg.food.lists import word_list
 from foon_kg.food.techniques import Technique
 from foon_kg.goals.asked import Asked
-from foon_kg.goals.choice import Fit, is_truly
+from foon_kg.goals.choice import Fit, has_mostly_its_foods, is_truly
 from foon_kg.goals.score import missing_core, unexplained
 from foon_kg.integration.joining.course import Plan
 from foon_kg.integration.joining.spots import Join
@@ -49,9 +49,12 @@ def has_its_name(fit: Fit, asked: Asked, dish_type: str, tin: str, technique: Te
 def _is_such_a_dish(fit: Fit, asked: Asked, dish_type: str, tin: str) -> bool:
     """Whether a recorded dish is of the asked type, with its core, in its tin, and explains what the title says.
 
-    Without a title a word of its name that no food explains (greek) is true where all of its foods are there.
+    Without a title a word of its name that no food explains (greek) is true where all of its foods are there, and
+    nothing has its name that is made of other foods for the greater part.
     """
     if fit.frame.dish_type != dish_type or missing_core(fit.dish, asked) or not is_truly(fit):
+        return False
+    if not asked.title and not has_mostly_its_foods(fit):
         return False
     if unexplained(fit.dish, asked) and (asked.title or not is_truly(fit, 1.0)):
         return False

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Food
+from foon_kg.food.told_states import in_turn
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.tree import TaskTree, TreeUnit
 from foon_kg.validation.foon import KnownFoon
@@ -185,7 +187,17 @@ def was_taken_out(case: Case, food: str) -> bool:
     given = word_list("is taken out of the dish")
     if not word_list("is drunk").isdisjoint(case.dish_types):
         given |= word_list("is taken out of what is drunk") | word_list("stays in a strainer")
-    if not case.tables.foods.food(food).is_a(*given):
+    if not any(facts.is_a(*given) for facts in _as_asked(case, food)):
         return False
     nodes = (node for happening in case.happenings for node in happening.outputs)
     return any(len(node.ingredients) > 1 and food in map(singular, node.ingredients) for node in nodes)
+
+
+def _as_asked(case: Case, food: str) -> Iterator[Food]:
+    """Yield what the tables say of a food, by itself and in each state in which it is required: tea in leaves is none
+    that is drunk.
+    """
+    yield case.tables.foods.food(food)
+    yield from (
+        case.tables.foods.food(food, in_turn(one.state)) for one in case.required if singular(one.object) == food
+    )

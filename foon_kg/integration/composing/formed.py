@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food import Food, Tables, singular
+from foon_kg.food import Food, Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.joining.course import HEATS
@@ -108,7 +108,7 @@ class _Mass:
         facts = [join.want.facts for join in joins]
         self.bound = any(one.is_a(*word_list("binds patties")) for one in facts)
         self.begin = self._begin()
-        self.wet = any(_runs_around(join.want.facts) and not self._soaks_what_binds(join) for join in joins)
+        self.wet = any(map(self._is_around, joins))
 
     def _main(self) -> list[Join]:
         for words_of in ("patties are made of", "is shaped too", "is shaped when it is mashed"):
@@ -120,11 +120,15 @@ class _Mass:
     def _begin(self) -> float:
         """Return the place in the recipe at which what is cooked around the mass begins."""
         first = min((place for join in self.main for place in join.want.places), default=0)
-        wet = [join.want for join in self.joins if _runs_around(join.want.facts) and not self._soaks_what_binds(join)]
+        wet = [join.want for join in self.joins if self._is_around(join)]
         wet = [want for want in wet if want.places and min(want.places) > first]
         main = [want for want in wet if want.facts.is_of(*word_list("is the body of a sauce"))]
         wet = [want for want in wet if not want.facts.is_a(*word_list("is mixed into a mass"))]
         return min((min(want.places) for want in main or wet), default=math.inf)
+
+    def _is_around(self, join: Join) -> bool:
+        """Whether a food runs around what is shaped: it soaks nothing, and the recipe lists it for no mass."""
+        return _runs_around(join.want.facts) and not _is_listed_for_it(join) and not self._soaks_what_binds(join)
 
     def holds(self, join: Join) -> bool:
         """Whether raw grain is shaped with the rest and done in the sauce, before which it is listed."""
@@ -155,6 +159,8 @@ class _Mass:
     def is_of_mass(self, join: Join, *, alone: bool) -> bool:
         """Whether a food is mixed with what is shaped; ``alone``: there is nothing else that it could belong to."""
         facts = join.want.facts
+        if _is_listed_for_it(join):
+            return True
         if facts.is_a(*word_list("is taken out of the dish")) or self.lies_on_it(join) or self._is_listed_after(join):
             return False
         held = facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass")) or self.holds(join)
@@ -199,10 +205,15 @@ class _Mass:
     def lies_on_it(self, join: Join) -> bool:
         """Whether a food comes on what is done, or beside it."""
         facts = join.want.facts
-        if self._is_listed_before(join):
+        if self._is_listed_before(join) or _is_listed_for_it(join):
             return False
         wedge = facts.is_a(*word_list("is a wedge beside it")) and not join.want.squeezed
         return wedge or facts.is_a(*word_list("is served with what is fried"), "topping")
+
+
+def _is_listed_for_it(join: Join) -> bool:
+    """Whether a recipe lists a food under the heading of what is shaped ("for the patties")."""
+    return not word_list("is the heading of a mass").isdisjoint(map(singular, words(join.want.part)))
 
 
 def _runs_around(facts: Food) -> bool:

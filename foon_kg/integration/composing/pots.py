@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
@@ -89,7 +90,13 @@ def fat_in_the_heat(joins: Sequence[Join]) -> tuple[Join, ...]:
 def _is_mixed_hard(join: Join) -> bool:
     facts, stage = join.want.facts, join.spot.stage
     hard = facts.is_a("fat") and not facts.is_a("creamy", "liquid") and join.want.asked not in word_list("runs")
-    return hard and bool(stage.does & {"mix"}) and stage.does <= _MIXES
+    return hard and bool(stage.does & {"mix"}) and stage.does <= _MIXES and not _is_spread(join)
+
+
+def _is_spread(join: Join) -> bool:
+    """Whether what a food is mixed with is spread on something before anything heats it."""
+    cold = itertools.takewhile(lambda stage: stage.does.isdisjoint(HEATS), join.spot.after)
+    return any(stage.motion in word_list("covers what is baked") for stage in cold)
 
 
 def _in_the_heat(join: Join) -> Join:
