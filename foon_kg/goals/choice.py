@@ -127,6 +127,6 @@ def is_truly(fit: Fit, share: float = _MOST) -> bool:
 
 
 def has_mostly_its_foods(fit: Fit) -> bool:
-    """Return whether at least half of what is asked, but seasonings, has a place of its own in the recorded dish."""
+    """Return whether more than half of what is asked, but seasonings, has a place of its own in the recorded dish."""
     body = [join.slot is not None for join in fit.joins if not join.want.facts.is_a(*SEASONS)]
-    return 2 * sum(body) >= len(body) or fit.dish.type_words.issuperset(fit.dish.words)
+    return 2 * sum(body) > len(body) or fit.dish.type_words.issuperset(fit.dish.words)

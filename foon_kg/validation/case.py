@@ -194,9 +194,7 @@ def was_taken_out(case: Case, food: str) -> bool:
 
 
 def _as_asked(case: Case, food: str) -> Iterator[Food]:
-    """Yield what the tables say of a food, by itself and in each state in which it is required: tea in leaves is none
-    that is drunk.
-    """
+    """Yield what the tables say of a food, by itself and as it is required: tea in leaves is none that is drunk."""
     yield case.tables.foods.food(food)
     yield from (
         case.tables.foods.food(food, in_turn(one.state)) for one in case.required if singular(one.object) == food

@@ -159,12 +159,9 @@ class _Mass:
     def is_of_mass(self, join: Join, *, alone: bool) -> bool:
         """Whether a food is mixed with what is shaped; ``alone``: there is nothing else that it could belong to."""
         facts = join.want.facts
-        if _is_listed_for_it(join):
-            return True
-        if facts.is_a(*word_list("is taken out of the dish")) or self.lies_on_it(join) or self._is_listed_after(join):
+        if not _is_listed_for_it(join) and self._is_beside_it(join):
             return False
-        held = facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass")) or self.holds(join)
-        if join in self.main or held or self._soaks_what_binds(join) or self._is_listed_before(join):
+        if self._is_surely_of_it(join):
             return True
         if facts.is_a("fat") or _runs_around(facts):
             return False
@@ -174,6 +171,18 @@ class _Mass:
             return not self.bound and not alone
         small = self._fine(join) >= _FINE
         return alone and (small or not facts.is_a("vegetable"))
+
+    def _is_beside_it(self, join: Join) -> bool:
+        """Whether a food is taken out of the dish, lies on it, or is listed with its sauce."""
+        taken = join.want.facts.is_a(*word_list("is taken out of the dish"))
+        return taken or self.lies_on_it(join) or self._is_listed_after(join)
+
+    def _is_surely_of_it(self, join: Join) -> bool:
+        """Whether a food is what is shaped, binds or seasons it, is held in it, or listed for it."""
+        if join in self.main or self.holds(join) or self._soaks_what_binds(join) or self._is_listed_before(join):
+            return True
+        binds = join.want.facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass"))
+        return binds or _is_listed_for_it(join)
 
     def _soaks_what_binds(self, join: Join) -> bool:
         """Whether a liquid is for the crumbs that bind a mass: listed beside them, or if another one is the sauce."""

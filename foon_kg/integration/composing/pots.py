@@ -90,10 +90,10 @@ def fat_in_the_heat(joins: Sequence[Join]) -> tuple[Join, ...]:
 def _is_mixed_hard(join: Join) -> bool:
     facts, stage = join.want.facts, join.spot.stage
     hard = facts.is_a("fat") and not facts.is_a("creamy", "liquid") and join.want.asked not in word_list("runs")
-    return hard and bool(stage.does & {"mix"}) and stage.does <= _MIXES and not _is_spread(join)
+    return hard and bool(stage.does & {"mix"}) and stage.does <= _MIXES and not _covers(join)
 
 
-def _is_spread(join: Join) -> bool:
+def _covers(join: Join) -> bool:
     """Whether what a food is mixed with is spread on something before anything heats it."""
     cold = itertools.takewhile(lambda stage: stage.does.isdisjoint(HEATS), join.spot.after)
     return any(stage.motion in word_list("covers what is baked") for stage in cold)
