@@ -94,6 +94,11 @@ class State:
     needs_heat: bool = False
     before: frozenset[str] = frozenset()
 
+    @property
+    def fineness(self) -> int:
+        """How fine the pieces are, 0 (whole) where the state says nothing of it."""
+        return self.fine or 0
+
 
 @dataclass(frozen=True)
 class Motion:

@@ -2,51 +2,21 @@
 
 Two foods that are in one place from some step on until the dish is done have met there: one of them joined the other.
 So the lines of a dish are found backwards from its goal, where all is in one place, by refining that set step by step.
+Where things are is in :mod:`~foon_kg.integration.teaching.played`, how lines grow of what meets in
+:mod:`~foon_kg.integration.teaching.lines`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Hashable, Iterable, Sequence
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 
-from foon_kg.food import Tables, is_among, singular, tables, words
-from foon_kg.food.lists import word_list
+from foon_kg.food import Tables, singular, tables, words
 from foon_kg.integration.teaching.frames import Frame, Line, Slot, Stage
+from foon_kg.integration.teaching.lines import WORK, Cluster, distinct, joined, told_of
+from foon_kg.integration.teaching.played import Place, Played, compact
 from foon_kg.model import FunctionalUnit, ObjectNode
-from foon_kg.world import Happening, Lump, Part, Step, World
+from foon_kg.world import Happening, Part
 from foon_kg.world.things import Vessel
-
-_WORK = frozenset({
-    "blend", "coat", "cut", "heat", "knead", "mash", "mix", "shape", "turn", "wait", "warm", "whip",
-})  # fmt: skip
-_MAKES = _WORK - {"cut", "turn"}
-_FLAT = word_list("flat utensils")
-
-
-@dataclass(frozen=True)
-class _Place:
-    """Where a part is after a step: what tells its place from others, the lump it is in, and that lump's vessel."""
-
-    key: Hashable
-    lump: Lump
-    label: str
-    states: tuple[str, ...]
-    vessel: str
-    relation: str
-    stands: str
-
-
-@dataclass(eq=False)
-class _Cluster:
-    """Parts that stay together from now on."""
-
-    parts: frozenset[int]
-    stages: list[Stage] = field(default_factory=list)
-    waiting: list[Slot | Line] = field(default_factory=list)
-    cooked: list[str] = field(default_factory=list)
-    place: _Place | None = None
-    brought: tuple[str, tuple[str, ...], str] = ("", (), "")
 
 
 def frame_of(
@@ -69,266 +39,159 @@ class _Derivation:
     def __init__(self, units: Sequence[FunctionalUnit], known: Tables) -> None:
         self.units = units
         self.known = known
-        self.world = World(known=known)
-        self.places: list[dict[int, _Place]] = []
-        self.heated: list[frozenset[int]] = []
-        self.over_heat: list[frozenset[str]] = []
-        self.names: dict[Part, int] = {}
-        self.fetched = self._fetched()
-        self._found: dict[tuple[int, int], _Place | None] = {}
-        for unit in units:
-            number = self.world.play(Step.of(unit.input_nodes, unit.motion, unit.output_nodes)).number
-            self.places.append(self._places())
-            self.heated.append(frozenset(self._name(part) for part in self.world.supply.parts if part.heated == number))
-            self.over_heat.append(self._over_heat())
-
-    def _name(self, part: Part) -> int:
-        """Return the number by which a part is known here: that of its first sighting."""
-        return self.names.setdefault(part, len(self.names))
+        self.played = Played(units, known)
 
     def frame(self, goal: ObjectNode, dish_type: str, video: str) -> Frame | None:
+        """Return how ``goal`` is made, as the last unit that gives it has it; ``None`` where it is not followed."""
         last = max((n for n, unit in enumerate(self.units) if goal in unit.output_nodes), default=None)
-        if last is None:
+        parts = self._parts_of(goal, last) if last is not None else {}
+        if last is None or not parts:
             return None
-        lump = self.world.happenings[last].outputs.get(goal)
+        line = self._followed(parts, last).line(last)
+        if not line.stages:
+            return None
+        weak = (*_lost(goal, line, self.known), *self._mixed(parts.values()))
+        return Frame(goal, dish_type, video, line, weak)
+
+    def _parts_of(self, goal: ObjectNode, last: int) -> dict[int, Part]:
+        """Return the parts of a goal by their numbers, without those of which only a name tells if there are others."""
+        lump = self.played.happenings[last].outputs.get(goal)
         if lump is None:
-            return None
-        parts = {self._name(part): part for part in self._parts_of(lump, last) if not part.remains}
-        if not parts:
-            return None
-        clusters = self._refined(parts, last)
-        called = {_compact(goal.label), _compact(lump.label)}
-        called -= self.fetched
-        named_only = {n for n, p in parts.items() if p.untold and _compact(p.name) in called}
-        named_only |= {n for n, p in parts.items() if p.untold and not self._goes_in(p)}
-        parts = {n: p for n, p in parts.items() if n not in named_only} or parts
-        clusters = [{n: c for n, c in step.items() if n in parts} for step in clusters]
-        whole = self._followed(parts, clusters, last)
-        line = _line(whole, last)
-        mixed = {part.name for part in parts.values() if self._came_mixed(part)}
-        mixed -= {p.name for p in parts.values() if not self._came_mixed(p) or p.food.is_a("made", "dough")}
-        return (
-            Frame(goal, dish_type, video, line, (*_lost(goal, line, self.known), *sorted(mixed)))
-            if line.stages
-            else None
-        )
+            return {}
+        parts = {self.played.number(part): part for part in self.played.parts_of(lump, last) if not part.remains}
+        called = {compact(goal.label), compact(lump.label)} - self.played.fetched
 
-    def _fetched(self) -> frozenset[str]:
-        """Return the names of foods that go into a unit before any unit gives them: they come from the kitchen."""
-        found: set[str] = set()
-        given: set[str] = set()
-        for unit in self.units:
-            names = [
-                set(map(_compact, _names_in(nodes, self.known))) for nodes in (unit.input_nodes, unit.output_nodes)
-            ]
-            found |= names[0] - given
-            given |= names[1]
-        return frozenset(found)
+        def is_only_named(part: Part) -> bool:
+            return part.untold and (compact(part.name) in called or not self.played.goes_in(part))
 
-    def _goes_in(self, part: Part) -> bool:
-        """Whether the unit that first tells of a part takes it in; else only a name in its product tells of it."""
-        return is_among(part.name, _names_in(self.units[part.taken].input_nodes, self.known))
+        return {number: part for number, part in parts.items() if not is_only_named(part)} or parts
 
-    def _came_mixed(self, part: Part) -> bool:
-        """Whether a part is only told as an ingredient of something that nobody made: it was lost before."""
-        if not part.untold:
-            return False
-        foods = [
-            node for node in self.units[part.taken].input_nodes if self.known.utensil(singular(node.label)) is None
-        ]
-        within = any(part.name in map(singular, node.ingredients) for node in foods)
-        return within and all(singular(node.label) != part.name for node in foods)
-
-    def _parts_of(self, lump: Lump, last: int) -> list[Part]:
-        there = self.places[last]
-        key = next((place.key for place in there.values() if place.lump is lump), None)
-        found = [part for part, name in self.names.items() if name in there and there[name].key == key]
-        return found or list(lump.parts)
-
-    def _places(self) -> dict[int, _Place]:
-        found: dict[int, _Place] = {}
-        below: dict[int, Lump] = {}
-        lumps = {id(lump): lump for lumps in self.world.supply.lumps.values() for lump in lumps if not lump.gone}
-        for lump in lumps.values():
-            for rider in lump.riders:
-                if not rider.gone and rider is not lump:
-                    below[id(rider)] = lump
-        for lump in sorted(lumps.values(), key=_in_use):  # of a part that is in two places the latter counts
-            place = _place(lump, below)
-            for part in lump.parts:
-                found[self._name(part)] = place
-        return found
-
-    def _place_of(self, part: Part, step: int) -> _Place | None:
-        """Return where a part was after a step: it, or what it is a portion of."""
-        name = self._name(part)
-        found = self.places[step].get(name)
-        if found is not None:
-            return found
-        if (name, step) not in self._found:
-            self._found[name, step] = self._portion_of(part, step)
-        return self._found[name, step]
-
-    def _portion_of(self, part: Part, step: int) -> _Place | None:
-        there = self.places[step]
-        places = (there[name] for name in self._portions.get(part.origin, ()) if name in there)
-        return max(places, key=lambda one: _in_use(one.lump), default=None)
-
-    @cached_property
-    def _portions(self) -> dict[int, list[int]]:
-        """The numbers of the parts that come of the same food, by where that came from."""
-        found: dict[int, list[int]] = {}
-        for part, name in self.names.items():
-            found.setdefault(part.origin, []).append(name)
-        return found
+    def _mixed(self, parts: Iterable[Part]) -> list[str]:
+        """Return the names of foods that only came as an ingredient of something that nobody made, sorted."""
+        mixed: set[str] = set()
+        others: set[str] = set()
+        for part in parts:
+            lost = self.played.came_mixed(part)
+            if lost:
+                mixed.add(part.name)
+            if not lost or part.food.is_a("made", "dough"):
+                others.add(part.name)
+        return sorted(mixed - others)
 
     def _refined(self, parts: dict[int, Part], last: int) -> list[dict[int, int]]:
         """Return for each step the number of the cluster in which each part is."""
-        steps: list[dict[int, int]] = []
-        later = dict.fromkeys(parts, 0)
-        for step in range(last, -1, -1):
-            if step == last:
-                steps.append(later)  # now it is one thing
-                continue
-            numbers: dict[Hashable, int] = {}
-            now: dict[int, int] = {}
-            for name, part in parts.items():
-                place = self._place_of(part, step)
-                key = (later[name], place.key if place is not None and part.taken <= step else ("new", name))
-                now[name] = numbers.setdefault(key, len(numbers))
+        now = dict.fromkeys(parts, 0)  # at the last step it is one thing
+        steps = [now]
+        for step in range(last - 1, -1, -1):
+            now = self._parted(parts, now, step)
             steps.append(now)
-            later = now
         return steps[::-1]
 
-    def _followed(self, parts: dict[int, Part], steps: list[dict[int, int]], last: int) -> _Cluster:
-        clusters = [_Cluster(frozenset([name])) for name in parts]
-        for step in range(last + 1):
-            happening = self.world.happenings[step]
-            groups: dict[int, list[_Cluster]] = {}
+    def _parted(self, parts: dict[int, Part], later: dict[int, int], step: int) -> dict[int, int]:
+        """Return the clusters of ``later`` parted by where their parts were after a step."""
+        numbers: dict[Hashable, int] = {}
+        now: dict[int, int] = {}
+        for name, part in parts.items():
+            place = self.played.place_of(part, step)
+            key = (later[name], place.key if place is not None and part.taken <= step else ("new", name))
+            now[name] = numbers.setdefault(key, len(numbers))
+        return now
+
+    def _followed(self, parts: dict[int, Part], last: int) -> Cluster:
+        """Return the one cluster that all parts are in after the last step, with the stages that led to it."""
+        clusters = [Cluster(frozenset([name])) for name in parts]
+        for step, together in enumerate(self._refined(parts, last)):
+            groups: dict[int, list[Cluster]] = {}
             for cluster in clusters:
-                groups.setdefault(steps[step][min(cluster.parts)], []).append(cluster)
-            inside = self._inside(happening)
+                groups.setdefault(together[min(cluster.parts)], []).append(cluster)
+            inside = self.played.inside(step)
             clusters = [self._together(group, parts, inside, step) for group in groups.values()]
         return clusters[0]
 
-    def _together(self, group: list[_Cluster], parts: dict[int, Part], inside: set[int], step: int) -> _Cluster:
+    def _together(self, group: list[Cluster], parts: dict[int, Part], inside: set[int], step: int) -> Cluster:
         """Return what a group of clusters is after a step, of whose things those parts are ``inside``."""
-        happening = self.world.happenings[step]
-        first = self._receiver(group, parts, step) if len(group) > 1 else group[0]
-        members = first.parts.union(*(cluster.parts for cluster in group if cluster is not first))
-        place = self._place_of(parts[min(members)], step)
-        involved = not inside.isdisjoint(members)
-        if len(group) > 1:
-            told = self._tells(happening)
-            adds: list[Slot | Line] = (
-                [] if first.stages or first.waiting else [_slot(first, parts, self.known, first.brought)]
-            )
-            for cluster in group:
-                if cluster is not first:
-                    adds += _joined(cluster, parts, self.known, told, step)
-            first.waiting = _distinct([*first.waiting, *adds], first.stages, self.fetched, self.known)
-        was = first.place
-        first.parts, first.place = members, place or first.place
-        if not involved:
-            return first
-        single = len({parts[name].name for name in members}) == 1
-        works = not happening.motion.does.isdisjoint(_WORK)
-        if single and not first.stages and not first.waiting:
-            if happening.does("heat") and not self.heated[step].isdisjoint(members):
-                first.cooked.append(happening.step.motion)
-            if place is not None and (was is None or was.vessel != place.vessel):
-                first.brought = (*self._tells(happening), was.vessel if was is not None else "")
-            return first
-        moved = was is not None and place is not None and (was.vessel, was.stands) != (place.vessel, place.stands)
-        if works or (moved and was is not None and place is not None and was.vessel != place.vessel):
-            first.stages.append(self._stage(first, happening, place, step, works=works))
-            first.waiting = []
+        cluster = self._met(group, parts, step) if len(group) > 1 else group[0]
+        place = self.played.place_of(parts[min(cluster.parts)], step)
+        was = cluster.place
+        cluster.place = place or was
+        if inside.isdisjoint(cluster.parts):
+            return cluster
+        happening = self.played.happenings[step]
+        if cluster.is_untouched and len({parts[name].name for name in cluster.parts}) == 1:
+            self._handle_alone(cluster, was, place, step)
+        elif _works(happening) or _is_brought_on(was, place):
+            cluster.stages.append(self._stage(cluster, happening, place, step))
+            cluster.waiting = []
+        return cluster
+
+    def _handle_alone(self, cluster: Cluster, was: Place | None, now: Place | None, step: int) -> None:
+        """Note what a step does to a food by itself, which ``was`` in one place and is in another ``now``."""
+        happening = self.played.happenings[step]
+        if happening.does("heat") and not self.played.heated[step].isdisjoint(cluster.parts):
+            cluster.cooked.append(happening.step.motion)
+        if now is not None and (was is None or was.vessel != now.vessel):
+            cluster.brought = (*_tells(happening), was.vessel if was is not None else "")
+
+    def _met(self, group: list[Cluster], parts: dict[int, Part], step: int) -> Cluster:
+        """Return clusters that meet in a step as one: that which stays where it is, with what waits to be worked in."""
+        first = self._receiver(group, parts, step)
+        others = [cluster for cluster in group if cluster is not first]
+        told = _tells(self.played.happenings[step])
+        adds: list[Slot | Line] = [first.slot(parts, self.known, first.brought)] if first.is_untouched else []
+        for cluster in others:
+            if cluster.is_untouched:
+                adds.append(cluster.slot(parts, self.known, (*told, cluster.vessel)))
+            else:
+                adds += joined(cluster.line(step))
+        first.waiting = distinct([*first.waiting, *adds], first.stages, self.played.fetched, self.known)
+        first.parts = first.parts.union(*(cluster.parts for cluster in others))
         return first
 
-    def _stage(self, cluster: _Cluster, happening: Happening, place: _Place | None, step: int, *, works: bool) -> Stage:
-        motion, tools = self._tells(happening)
-        appliance, source = _appliance(happening, place, self.known) if works else ("", "")
-        does = happening.motion.does
-        if source == "heat" and "mix" in does and place is not None:
-            lit = place.vessel in self.over_heat[step] and does <= {"mix", "move"}
-            if lit or self._told_cooked(place, happening):
-                does |= {"heat"}  # what is stirred over a fire cooks, though nobody noted the cooking
-        bath = self._bath(cluster, happening) if "liquid" in does else []
-        return Stage(
-            (*bath, *cluster.waiting),
-            motion,
-            does,
-            tools,
-            place.vessel if place else "",
-            place.relation if place else "in",
-            appliance,
-            source,
-            place.label if place else "",
-            place.states if place else (),
-            step,
-        )
+    def _receiver(self, group: list[Cluster], parts: dict[int, Part], step: int) -> Cluster:
+        """Return the cluster that stays where it is while others come to it."""
 
-    def _bath(self, cluster: _Cluster, happening: Happening) -> list[Slot]:
+        def order(cluster: Cluster) -> tuple[bool, int, int, int]:
+            place = self.played.place_of(parts[min(cluster.parts)], step)
+            stays = place is not None and bool(cluster.vessel) and cluster.vessel == place.vessel
+            first = min(parts[name].taken for name in cluster.parts)
+            return (stays, len(cluster.parts), -first, -min(parts[n].origin for n in cluster.parts))
+
+        return max(group, key=order)
+
+    def _stage(self, cluster: Cluster, happening: Happening, place: Place | None, step: int) -> Stage:
+        """Return what a step does to a cluster, which is at ``place`` then, and to what waits to be worked in."""
+        motion, tools = _tells(happening)
+        appliance, source = _appliance(happening, place, self.known) if _works(happening) else ("", "")
+        does = happening.motion.does
+        if source == "heat" and place is not None and self._is_stirred_hot(happening, place, step):
+            does |= {"heat"}  # what is stirred over a fire cooks, though nobody noted the cooking
+        bath = self._bath(cluster, happening) if "liquid" in does else []
+        adds = (*bath, *cluster.waiting)
+        vessel, relation, label, states = told_of(place)
+        return Stage(adds, motion, does, tools, vessel, relation, appliance, source, label, states, step)
+
+    def _is_stirred_hot(self, happening: Happening, place: Place, step: int) -> bool:
+        does = happening.motion.does
+        if "mix" not in does:
+            return False
+        lit = place.vessel in self.played.over_heat[step] and does <= {"mix", "move"}
+        return lit or self._told_cooked(place, happening)
+
+    def _bath(self, cluster: Cluster, happening: Happening) -> list[Slot]:
         """Return the water in which a dish is cooked that is not in it at the end: somebody poured it away."""
         lumps = [*happening.inputs, *(lump for vessel in happening.vessels for lump in vessel.lumps)]
-        parts = {self._name(part): part for lump in lumps for part in lump.parts}
+        parts = {self.played.number(part): part for lump in lumps for part in lump.parts}
         others = [part for name, part in sorted(parts.items()) if name not in cluster.parts]
         water = next((part for part in others if part.food.is_a("water")), None)
         if water is None:
             return []
         return [Slot(water.name, self.known.foods.food(water.name, water.states).kind, water.states)]
 
-    def _over_heat(self) -> frozenset[str]:
-        """Return the names of the vessels that stand over a fire that burns."""
-        vessels = (vessel for many in self.world.supply.vessels.values() for vessel in many)
-        return frozenset(
-            vessel.label
-            for vessel in vessels
-            if vessel.where is not None and vessel.where.row.source == "heat" and vessel.where.is_on(vessel.label)
-        )
-
-    def _told_cooked(self, place: _Place, happening: Happening) -> bool:
+    def _told_cooked(self, place: Place, happening: Happening) -> bool:
+        """Whether what is at a place is called cooked after a step, and was not before."""
         before = {state for lump in happening.inputs for state in lump.states if lump.label == place.label}
         rows = [self.known.state(state) for state in place.states if state not in before or happening.made]
         return any(row.needs_heat or "cook" in row.earns or row.half for row in rows)
-
-    def _tells(self, happening: Happening) -> tuple[str, tuple[str, ...]]:
-        return happening.step.motion, tuple(sorted(singular(node.label) for node in happening.tools))
-
-    def _inside(self, happening: Happening) -> set[int]:
-        """Return the numbers of the parts of all that a step is about."""
-        lumps = [*happening.inputs, *happening.outputs.values(), *happening.made]
-        lumps += [lump for vessel in happening.vessels for lump in vessel.lumps if vessel.row.role != "storage"]
-        lumps += [lump for lump, _, _ in happening.moved]
-        return {self._name(part) for lump in lumps for part in lump.parts}
-
-    def _receiver(self, group: list[_Cluster], parts: dict[int, Part], step: int) -> _Cluster:
-        """Return the cluster that stays where it is while others come to it."""
-
-        def order(cluster: _Cluster) -> tuple[bool, int, int, int]:
-            place = self._place_of(parts[min(cluster.parts)], step)
-            was = cluster.place.vessel if cluster.place is not None else ""
-            stays = place is not None and bool(was) and was == place.vessel
-            first = min(parts[name].taken for name in cluster.parts)
-            return (
-                stays,
-                len(cluster.parts),
-                -first,
-                -min(parts[n].origin for n in cluster.parts),
-            )
-
-        return max(group, key=order)
-
-
-def _names_in(nodes: Iterable[ObjectNode], known: Tables) -> set[str]:
-    """Return the names of all foods in ``nodes``, whether they stand there by themselves or in a vessel."""
-    names = {singular(name) for node in nodes for name in (node.label, *node.ingredients)}
-    return {name for name in names if known.utensil(name) is None}
-
-
-def _compact(name: str) -> str:
-    """Return a name without its spaces: annotators write "hash brown" and "hashbrown" in one video."""
-    return "".join(singular(name).split())
 
 
 def _lost(goal: ObjectNode, line: Line, known: Tables) -> tuple[str, ...]:
@@ -344,117 +207,54 @@ def _lost(goal: ObjectNode, line: Line, known: Tables) -> tuple[str, ...]:
     )
 
 
-def _joined(
-    cluster: _Cluster, parts: dict[int, Part], known: Tables, told: tuple[str, tuple[str, ...]], step: int
-) -> list[Slot | Line]:
-    if cluster.stages or cluster.waiting:
-        line = _line(cluster, step)
-        if any(not stage.does.isdisjoint(_MAKES) for stage in line.stages):
-            return [line]
-        return [add for stage in line.stages for add in stage.adds]  # foods that only were cut together
-    source = cluster.place.vessel if cluster.place is not None else ""
-    return [_slot(cluster, parts, known, (*told, source))]
+def _works(happening: Happening) -> bool:
+    """Whether a step changes something, and does not only bring it somewhere."""
+    return not happening.motion.does.isdisjoint(WORK)
 
 
-def _slot(cluster: _Cluster, parts: dict[int, Part], known: Tables, brought: tuple[str, tuple[str, ...], str]) -> Slot:
-    part = parts[min(cluster.parts)]
-    states = cluster.place.states if cluster.place is not None else part.states
-    kind = known.foods.food(part.name, part.states).kind
-    return Slot(part.name, kind, states, tuple(dict.fromkeys(cluster.cooked)), *brought)
+def _tells(happening: Happening) -> tuple[str, tuple[str, ...]]:
+    return happening.step.motion, tuple(sorted(singular(node.label) for node in happening.tools))
 
 
-def _distinct(
-    adds: Sequence[Slot | Line], stages: Sequence[Stage], fetched: Collection[str], known: Tables
-) -> list[Slot | Line]:
-    """Leave out foods that are only the name of what is made here, and portions of one food that come together.
-
-    A dish may be called like a food of it (black beans): that of the names of ``fetched`` foods is no mere name.
-    """
-    kept: list[Slot | Line] = []
-    inside = {slot.food for stage in stages for slot in stage.slots}
-    made = {singular(stage.label) for stage in stages}
-    for add in adds:
-        if isinstance(add, Line):
-            made |= {singular(stage.label) for stage in add.stages}
-            inside |= {slot.food for slot in add.all_slots()}
-    for add in adds:
-        if isinstance(add, Slot):
-            facts = known.foods.food(add.food, add.states)
-            named = add.food in made and (_compact(add.food) not in fetched or facts.is_a("made"))
-            if add.food in inside or named or (facts.is_a("made") and facts.is_a("batter", "dough")):
-                continue
-            inside.add(add.food)
-        kept.append(add)
-    return kept
+def _is_brought_on(was: Place | None, now: Place | None) -> bool:
+    """Whether a thing is in another vessel than before; of what comes out of nowhere nobody knows."""
+    return was is not None and now is not None and was.vessel != now.vessel
 
 
-def _line(cluster: _Cluster, step: int) -> Line:
-    stages = list(cluster.stages)
-    if cluster.waiting:
-        place = cluster.place
-        stages.append(
-            Stage(
-                tuple(cluster.waiting), "", frozenset(), (), place.vessel if place else "",
-                place.relation if place else "in", "", "", place.label if place else "",
-                place.states if place else (), step,
-            )
-        )  # fmt: skip
-    last = stages[-1:] if stages and _only_moves(stages[-1]) else []
-    return Line((*_without_detours(stages[: len(stages) - len(last)]), *last))
-
-
-def _without_detours(stages: Sequence[Stage]) -> list[Stage]:
-    """Leave out bringing the whole to a place from which it is only brought on."""
-    kept: list[Stage] = []
-    for stage in stages:
-        if kept and _only_moves(kept[-1]):
-            before = kept.pop()
-            stage = replace(stage, adds=(*before.adds, *stage.adds))  # noqa: PLW2901
-        kept.append(stage)
-    return kept
-
-
-def _only_moves(stage: Stage) -> bool:
-    return stage.does.isdisjoint(_WORK)
-
-
-def _in_use(lump: Lump) -> tuple[bool, int, int]:
-    """Return a key by which those come last that are in use: not rests in packets, touched of late, of many foods."""
-    return (lump.where is None or not lump.where.row.keeps_food, lump.last, len(lump.parts))
-
-
-def _place(lump: Lump, below: dict[int, Lump]) -> _Place:
-    base = lump
-    seen = {id(lump)}
-    while id(base) in below and id(below[id(base)]) not in seen:
-        base = below[id(base)]
-        seen.add(id(base))
-    where = lump.where
-    label = where.label if where is not None else ""
-    relation = "on" if label.rpartition(" ")[2] in _FLAT else "in"
-    stands = where.where.label if where is not None and where.where is not None else ""
-    keeps = where is None or where.row.role in {"storage", "place", "appliance"} or where.row.keeps_food
-    cuts = where is not None and "cut" in where.row.can
-    own: Hashable = ("lump", id(base)) if keeps or cuts else ("vessel", id(where))
-    return _Place(own, lump, lump.label, lump.states, label, relation, stands)
-
-
-def _appliance(happening: Happening, place: _Place | None, known: Tables) -> tuple[str, str]:
-    found: list[Vessel] = [vessel for vessel in happening.vessels if vessel.is_appliance]
-    held = next((one for one in found if one.row.source == "power" and not one.row.holds), None)
-    if held is not None and "heat" not in happening.motion.does:
-        return held.label, held.row.source  # whatever the vessel stands on, a hand mixer does it
-    for vessel in happening.vessels:
-        below = vessel.where
-        while below is not None:
-            if below.is_appliance:
-                found.append(below)
-            below = below.where
-    if place is not None and place.stands:
-        row = known.utensil(place.stands)
-        if row is not None and row.role == "appliance":
-            return place.stands, row.source
-    for vessel in found:
+def _appliance(happening: Happening, place: Place | None, known: Tables) -> tuple[str, str]:
+    """Return what works on a thing at ``place`` in a step, and by what (heat, cold, power); ``""`` for nothing."""
+    held = _held(happening)
+    if held is not None:
+        return held.label, held.row.source
+    stands = _stands_on(place, known) if place is not None else None
+    if stands is not None:
+        return stands
+    for vessel in _appliances(happening.vessels):
         if vessel.row.source in {"heat", "cold", "power"}:
             return vessel.label, vessel.row.source
     return "", ""
+
+
+def _held(happening: Happening) -> Vessel | None:
+    """Return what hands hold to a thing: whatever the vessel stands on, a hand mixer does what heat does not."""
+    if "heat" in happening.motion.does:
+        return None
+    held = (one for one in happening.vessels if one.row.source == "power" and not one.row.holds)
+    return next((one for one in held if one.is_appliance), None)
+
+
+def _stands_on(place: Place, known: Tables) -> tuple[str, str] | None:
+    """Return the appliance on which the vessel of a place stands, and by what that works; ``None`` for no such."""
+    row = known.utensil(place.stands) if place.stands else None
+    return (place.stands, row.source) if row is not None and row.role == "appliance" else None
+
+
+def _appliances(vessels: Sequence[Vessel]) -> Iterator[Vessel]:
+    """Yield the appliances among vessels, then those on which they stand, or stand what they stand on."""
+    yield from (vessel for vessel in vessels if vessel.is_appliance)
+    for vessel in vessels:
+        below = vessel.where
+        while below is not None:
+            if below.is_appliance:
+                yield below
+            below = below.where

@@ -14,7 +14,7 @@ from functools import cached_property, lru_cache
 
 from foon_kg.food import Food, Tables, tables
 from foon_kg.food.lists import word_list
-from foon_kg.model import UNMEASURED, FunctionalUnit, KnownUnit, Sighting
+from foon_kg.model import UNMEASURED, KnownUnit, Sighting
 from foon_kg.model.recent import Recent
 from foon_kg.world.reading import Reader, Said, reader
 
@@ -125,13 +125,13 @@ class Operators:
         ]
         inputs = [self._reader.read(node) for node in unit.input_nodes]
         outputs = [self._reader.read(node) for node in unit.output_nodes]
-        tools = {said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool"} - _HANDS
-        way = (unit.motion, tuple(sorted(tools)))
-        self._attest(self.evidence[way], _foods(inputs) | _foods(outputs), seen)
-        for said in (*inputs, *outputs):
-            if said.is_appliance:
-                self.evidence[way].appliances[said.label] += 1
-        changed = self._changes(unit, inputs, outputs, way)
+        both = (*inputs, *outputs)
+        way = (unit.motion, _tools_of(inputs))
+        self._attest(self.evidence[way], _foods(both), seen)
+        self.evidence[way].appliances.update(said.label for said in both if said.is_appliance)
+        for said in both:
+            self._note_states(said)
+        changed = self._changes(inputs, outputs, way)
         if changed:
             self._attest(self.acts[way], changed, seen)
 
@@ -145,34 +145,37 @@ class Operators:
         for kind in sorted({self.known.foods.find(food)[0] for food in foods} - {"unknown"}):
             evidence.kinds[kind].extend(seen)
 
-    def _changes(self, unit: FunctionalUnit, inputs: list[Said], outputs: list[Said], way: Way) -> set[str]:
-        """Note what a unit gives to which food and from where to where it brings one; return the foods it changes."""
+    def _note_states(self, said: Said) -> None:
+        """Note in which states a food comes, by its name and by its kind."""
+        if said.is_food:
+            kind = self.known.foods.food(said.label, said.node.states).kind
+            for name in (said.label, f"kind:{kind}"):
+                self.states[name].update(said.node.states)
+
+    def _changes(self, inputs: Sequence[Said], outputs: Sequence[Said], way: Way) -> set[str]:
+        """Note what a unit does to which food by ``way``; return the foods that it changes."""
         before = {said.label: said for said in inputs if said.is_food}
         changed = set()
-        for said in (*inputs, *outputs):
-            if said.is_food:
-                for name in (said.label, f"kind:{self.known.foods.food(said.label, said.node.states).kind}"):
-                    self.states[name].update(said.node.states)
         for said in outputs:
             was = before.get(said.label)
-            if not said.is_food or was is None or was.node == said.node:
-                continue
-            changed.add(said.label)
-            if said.place_utensil is not None and said.place_utensil.role == "vessel":
-                self.onto[way][str(said.place)] += 1
-            for state in sorted(set(said.node.states) - set(was.node.states)):
-                self.giving[state.lower()][way] += 1
-            if said.place != was.place and said.place_utensil is not None:
-                facts = self.known.foods.food(said.label, was.node.states)
-                role = was.place_utensil.role if was.place_utensil is not None else ""
-                for name in (
-                    said.label,
-                    f"kind:{facts.kind}",
-                    f"form:{form_of(self.known, said.label, was.node.states)}",
-                ):
-                    self.bringing[name, role][way] += 1
-        del unit
+            if said.is_food and was is not None and was.node != said.node:
+                changed.add(said.label)
+                self._note_change(was, said, way)
         return changed
+
+    def _note_change(self, was: Said, said: Said, way: Way) -> None:
+        """Note what ``way`` gives to a food, where it is then, and from where to where it was brought."""
+        if said.place_utensil is not None and said.place_utensil.role == "vessel":
+            self.onto[way][str(said.place)] += 1
+        for state in sorted(set(said.node.states) - set(was.node.states)):
+            self.giving[state.lower()][way] += 1
+        if said.place == was.place or said.place_utensil is None:
+            return
+        kind = self.known.foods.food(said.label, was.node.states).kind
+        form = form_of(self.known, said.label, was.node.states)
+        role = was.place_utensil.role if was.place_utensil is not None else ""
+        for name in (said.label, f"kind:{kind}", f"form:{form}"):
+            self.bringing[name, role][way] += 1
 
     def attested(
         self,
@@ -188,21 +191,26 @@ class Operators:
         ``act``: to one that it changes. ``None`` where no unit of the motion has one of them, a like one or one of
         their kind. Of the foods in ``instead`` a person wishes that they be handled like another one.
         """
-        evidence = (self.acts if act else self.evidence).get(way)
+        evidence = self._evidence(way, act=act)
         if evidence is None:
             return None
         if not foods:
             return Attested(way, Nearness.MOTION, evidence.all)
-        own = next((food for food in foods if food in evidence.foods and food not in instead), None)
-        if own is not None:
-            return Attested(way, Nearness.FOOD, evidence.foods[own])
-        pairs = ((food, *like) for food in foods for like in (likes(food) if likes is not None else ()))
-        alike = next((pair for pair in pairs if pair[1] in evidence.foods), None)
+        for food in foods:
+            if food in evidence.foods and food not in instead:
+                return Attested(way, Nearness.FOOD, evidence.foods[food])
+        alike = _first_alike(evidence, foods, likes) if likes is not None else None
         if alike is not None:
             return Attested(way, Nearness.LIKE, evidence.foods[alike[1]], alike)
-        kinds = (self.known.foods.find(food)[0] for food in foods)
-        kind = next((kind for kind in kinds if kind in evidence.kinds), None)
+        kind = self._first_kind(evidence, foods)
         return Attested(way, Nearness.KIND, evidence.kinds[kind]) if kind is not None else None
+
+    def _first_kind(self, evidence: Evidence, foods: Sequence[str]) -> str | None:
+        kinds = (self.known.foods.find(food)[0] for food in foods)
+        return next((kind for kind in kinds if kind in evidence.kinds), None)
+
+    def _evidence(self, way: Way, *, act: bool) -> Evidence | None:
+        return (self.acts if act else self.evidence).get(way)
 
     def farthest(self, way: Way, foods: Sequence[str], alike: Alike, *, act: bool = False) -> Attested | None:
         """Return the evidence for the likest food to which ``way`` is done, be it not fairly like.
@@ -210,7 +218,7 @@ class Operators:
         Where none is alike at all (:data:`LIKE_AT_ALL`) the motion alone is attested, by the food to which it is done
         most often, and no food is named that stands for another.
         """
-        evidence = (self.acts if act else self.evidence).get(way)
+        evidence = self._evidence(way, act=act)
         if evidence is None or not foods or not evidence.foods:
             return None
         sure, food, known = max((alike(food, known), food, known) for food in foods for known in evidence.foods)
@@ -259,7 +267,7 @@ class Operators:
     def _ways_making(self, state: str) -> Iterator[Way]:
         given = self.giving.get(state, Counter())
         yield from sorted(given, key=lambda way: (-given[way], way))
-        fine = self.known.state(state).fine or 0
+        fine = self.known.state(state).fineness
         able = (way for way in self._able.get(state, ()) if way not in given)
         yield from sorted(able, key=lambda way: (abs(self._fineness(way) - fine), -self.count(way), way))
 
@@ -267,9 +275,7 @@ class Operators:
         """Return how fine the pieces are that a way makes in this FOON, in the mean."""
         found = self._fine.get(way)
         if found is None:
-            rows = [
-                (self.known.state(state).fine or 0, ways[way]) for state, ways in self.giving.items() if way in ways
-            ]
+            rows = [(self.known.state(state).fineness, ways[way]) for state, ways in self.giving.items() if way in ways]
             rows = [(fine, count) for fine, count in rows if fine]
             found = sum(fine * n for fine, n in rows) / sum(n for _, n in rows) if rows else 0.0
             self._fine[way] = found
@@ -305,8 +311,19 @@ class Operators:
         return {state: tuple(ways) for state, ways in found.items()}
 
 
+def _first_alike(evidence: Evidence, foods: Sequence[str], likes: Likes) -> tuple[str, str, float] | None:
+    """Return the first of ``foods`` with a known food that can stand for it and has evidence, and how well it can."""
+    for food in foods:
+        for known, sure in likes(food):
+            if known in evidence.foods:
+                return food, known, sure
+    return None
+
+
 _MASH = 5
 _HANDS = word_list("bare hands")
+_SOLD_SOFT = frozenset({"creamy", "paste", "sauce", "jelly", "thick liquid", "thick sauce", "whipped"})
+_SOLD_FINE = frozenset({"ground", "granulated", "powder", "dried"})
 
 
 def is_liquid_fat(facts: Food) -> bool:
@@ -318,31 +335,26 @@ def is_liquid_fat(facts: Food) -> bool:
 def form_of(known: Tables, label: str, states: tuple[str, ...]) -> str:
     """Return how a food is handled: ``liquid``, ``powder``, ``soft``, ``pieces`` or ``whole``."""
     facts = known.foods.food(label, states)
-    rows = [known.state(state) for state in states]
-    if facts.is_a("liquid", "water", *word_list("runs out of its can")) or not word_list("runs").isdisjoint(states):
+    if _runs(facts, states):
         return "liquid"
-    if facts.is_a("creamy") or facts.sold_as in {
-        "creamy",
-        "paste",
-        "sauce",
-        "jelly",
-        "thick liquid",
-        "thick sauce",
-        "whipped",
-    }:
+    if facts.is_a("creamy") or facts.sold_as in _SOLD_SOFT:
         return "soft"
-    if facts.is_a("spice", "leaven", "flour", "sweet", "stock") and facts.sold_as in {
-        "ground",
-        "granulated",
-        "powder",
-        "dried",
-    }:
+    if facts.is_a("spice", "leaven", "flour", "sweet", "stock") and facts.sold_as in _SOLD_FINE:
         return "powder"
-    if any((row.fine or 0) >= _MASH for row in rows):
+    finest = max((known.state(state).fineness for state in states), default=0)
+    if finest >= _MASH:
         return "soft"
-    if any((row.fine or 0) > 0 for row in rows) or facts.is_a("stock"):
-        return "pieces"
-    return "whole"
+    return "pieces" if finest > 0 or facts.is_a("stock") else "whole"
+
+
+def _runs(facts: Food, states: Sequence[str]) -> bool:
+    told = not word_list("runs").isdisjoint(states)
+    return told or facts.is_a("liquid", "water", *word_list("runs out of its can"))
+
+
+def _tools_of(inputs: Iterable[Said]) -> tuple[str, ...]:
+    tools = {said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool"} - _HANDS
+    return tuple(sorted(tools))
 
 
 def _foods(saids: Iterable[Said]) -> set[str]:

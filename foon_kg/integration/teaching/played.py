@@ -1,0 +1,187 @@
+"""A video as it was played in the world: where each part of matter was after each step, and what heat reached.
+
+How lines of stages are found in that is in :mod:`~foon_kg.integration.teaching.derivation`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.food import Tables, is_among, singular
+from foon_kg.food.lists import word_list
+from foon_kg.model import FunctionalUnit, ObjectNode
+from foon_kg.world import Happening, Lump, Part, Step, World
+from foon_kg.world.things import Vessel
+
+_FLAT = word_list("flat utensils")
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a part is after a step: what tells its place from others, the lump it is in, and that lump's vessel."""
+
+    key: Hashable
+    lump: Lump
+    label: str
+    states: tuple[str, ...]
+    vessel: str
+    relation: str
+    stands: str
+
+
+class Played:
+    """The units of a video, played one after the other; parts are known by the numbers of their first sightings.
+
+    ``heated`` are the parts that a step heats, ``over_heat`` the vessels that stand over a fire that burns after it.
+    """
+
+    def __init__(self, units: Sequence[FunctionalUnit], known: Tables) -> None:
+        self.units = units
+        self.known = known
+        self.world = World(known=known)
+        self.heated: list[frozenset[int]] = []
+        self.over_heat: list[frozenset[str]] = []
+        self._places: list[dict[int, Place]] = []
+        self._numbers: dict[Part, int] = {}
+        self._found: dict[tuple[int, int], Place | None] = {}
+        for unit in units:
+            step = self.world.play(Step.of(unit.input_nodes, unit.motion, unit.output_nodes)).number
+            self._places.append(self._places_now())
+            self.heated.append(frozenset(self.number(part) for part in self.world.supply.parts if part.heated == step))
+            self.over_heat.append(frozenset(vessel.label for vessel in self._vessels() if _is_over_fire(vessel)))
+
+    @property
+    def happenings(self) -> Sequence[Happening]:
+        """What happened at each step."""
+        return self.world.happenings
+
+    def number(self, part: Part) -> int:
+        """Return the number by which a part is known here."""
+        return self._numbers.setdefault(part, len(self._numbers))
+
+    @cached_property
+    def fetched(self) -> frozenset[str]:
+        """The names of foods that go into a unit before any unit gives them: they come from the kitchen."""
+        found: set[str] = set()
+        given: set[str] = set()
+        for unit in self.units:
+            taken, gives = (set(map(compact, self._foods(nodes))) for nodes in (unit.input_nodes, unit.output_nodes))
+            found |= taken - given
+            given |= gives
+        return frozenset(found)
+
+    def _foods(self, nodes: Iterable[ObjectNode]) -> set[str]:
+        """Return the names of all foods in ``nodes``, whether they stand there by themselves or in a vessel."""
+        names = {singular(name) for node in nodes for name in (node.label, *node.ingredients)}
+        return {name for name in names if self.known.utensil(name) is None}
+
+    def goes_in(self, part: Part) -> bool:
+        """Whether the unit that first tells of a part takes it in; else only a name in its product tells of it."""
+        return is_among(part.name, self._foods(self.units[part.taken].input_nodes))
+
+    def came_mixed(self, part: Part) -> bool:
+        """Whether a part is only told as an ingredient of something that nobody made: it was lost before."""
+        if not part.untold:
+            return False
+        foods = [
+            node for node in self.units[part.taken].input_nodes if self.known.utensil(singular(node.label)) is None
+        ]
+        within = any(part.name in map(singular, node.ingredients) for node in foods)
+        return within and all(singular(node.label) != part.name for node in foods)
+
+    def parts_of(self, lump: Lump, step: int) -> list[Part]:
+        """Return the parts that are in the place of a lump after a step."""
+        there = self._places[step]
+        key = next((place.key for place in there.values() if place.lump is lump), None)
+        found = [part for part, name in self._numbers.items() if name in there and there[name].key == key]
+        return found or list(lump.parts)
+
+    def inside(self, step: int) -> set[int]:
+        """Return the numbers of the parts of all that a step is about."""
+        happening = self.happenings[step]
+        lumps = [*happening.inputs, *happening.outputs.values(), *happening.made]
+        lumps += [lump for vessel in happening.vessels for lump in vessel.lumps if vessel.row.role != "storage"]
+        lumps += [lump for lump, _, _ in happening.moved]
+        return {self.number(part) for lump in lumps for part in lump.parts}
+
+    def place_of(self, part: Part, step: int) -> Place | None:
+        """Return where a part was after a step: it, or what it is a portion of."""
+        number = self.number(part)
+        found = self._places[step].get(number)
+        if found is not None:
+            return found
+        if (number, step) not in self._found:
+            self._found[number, step] = self._portion_of(part, step)
+        return self._found[number, step]
+
+    def _portion_of(self, part: Part, step: int) -> Place | None:
+        there = self._places[step]
+        places = (there[number] for number in self._portions.get(part.origin, ()) if number in there)
+        return max(places, key=lambda one: _in_use(one.lump), default=None)
+
+    @cached_property
+    def _portions(self) -> dict[int, list[int]]:
+        """The numbers of the parts that come of the same food, by where that came from."""
+        found: dict[int, list[int]] = {}
+        for part, number in self._numbers.items():
+            found.setdefault(part.origin, []).append(number)
+        return found
+
+    def _places_now(self) -> dict[int, Place]:
+        found: dict[int, Place] = {}
+        below: dict[int, Lump] = {}
+        lumps = {id(lump): lump for lumps in self.world.supply.lumps.values() for lump in lumps if not lump.gone}
+        for lump in lumps.values():
+            for rider in lump.riders:
+                if not rider.gone and rider is not lump:
+                    below[id(rider)] = lump
+        for lump in sorted(lumps.values(), key=_in_use):  # of a part that is in two places the latter counts
+            place = _place(lump, below)
+            for part in lump.parts:
+                found[self.number(part)] = place
+        return found
+
+    def _vessels(self) -> Iterable[Vessel]:
+        return (vessel for many in self.world.supply.vessels.values() for vessel in many)
+
+
+def compact(name: str) -> str:
+    """Return a name without its spaces: annotators write "hash brown" and "hashbrown" in one video."""
+    return "".join(singular(name).split())
+
+
+def _is_over_fire(vessel: Vessel) -> bool:
+    below = vessel.where
+    return below is not None and below.row.source == "heat" and below.is_on(vessel.label)
+
+
+def _in_use(lump: Lump) -> tuple[bool, int, int]:
+    """Return a key by which those come last that are in use: not rests in packets, touched of late, of many foods."""
+    return (lump.where is None or not lump.where.row.keeps_food, lump.last, len(lump.parts))
+
+
+def _place(lump: Lump, below: dict[int, Lump]) -> Place:
+    """Return the place of a lump; ``below`` has by its identity what it lies on."""
+    where = lump.where
+    if where is None:
+        return Place(("lump", id(_base(lump, below))), lump, lump.label, lump.states, "", "in", "")
+    relation = "on" if where.label.rpartition(" ")[2] in _FLAT else "in"
+    stands = where.where.label if where.where is not None else ""
+    key: Hashable = ("lump", id(_base(lump, below))) if _keeps_apart(where) else ("vessel", id(where))
+    return Place(key, lump, lump.label, lump.states, where.label, relation, stands)
+
+
+def _keeps_apart(vessel: Vessel) -> bool:
+    """Whether what is in one vessel has not met there: on a board, in a cupboard, in a packet."""
+    return vessel.row.role in {"storage", "place", "appliance"} or vessel.row.keeps_food or "cut" in vessel.row.can
+
+
+def _base(lump: Lump, below: dict[int, Lump]) -> Lump:
+    """Return the lowest of the lumps that lie on one another; none counts twice, should they lie in a circle."""
+    seen = {id(lump)}
+    while id(lump) in below and id(below[id(lump)]) not in seen:
+        lump = below[id(lump)]
+        seen.add(id(lump))
+    return lump
