@@ -20,7 +20,7 @@ PREPARED = [
     # --- shells ---
     ("egg", "boiled", f"{BOILED_WHOLE}, slice", ""),
     ("egg", "whole", f"{BOILED_WHOLE}, slice", ""),
-    ("egg", "chopped", f"{BOILED_WHOLE}, slice", ""),
+    ("egg", "chopped", f"{BOILED_WHOLE}, chop", ""),
     ("shrimp", "boiled", BOILED_WHOLE, ""),
     # --- roots and other vegetables ---
     ("carrot", "grated", "peel, grate", ""),
@@ -38,8 +38,8 @@ PREPARED = [
     ("tomato", "diced", "dice", ""),
     ("mushroom", "sliced", "slice", ""),
     # --- fruit ---
-    ("avocado", "whole", "pit, peel, cut", ""),
-    ("avocado", "sliced", "pit, peel, cut", ""),
+    ("avocado", "whole", "pit, peel, chop", ""),
+    ("avocado", "sliced", "pit, peel, slice", ""),
     ("mango", "sliced", "pit, peel, slice", ""),
     ("apple", "chopped", "core, chop", ""),
     ("pear", "chopped", "core, chop", ""),

@@ -1,4 +1,4 @@
-"""How a food is brought into pieces: which way of the FOON, with which tool, on what.
+"""How a food is brought into pieces or rid of a skin or core: which way of the FOON, with which tool, on what.
 
 Ways are taken from the FOON's operators, of the food itself or of one that is like it.
 """
@@ -10,10 +10,10 @@ from dataclasses import replace
 from functools import lru_cache
 
 from foon_kg.food import Food, Tables, singular
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import word_list, word_lists
 from foon_kg.integration.bench import Bench
 from foon_kg.integration.preparing.preparation import CUTS, NOT_BY_HAND, POWDER, Want, is_mill, wants_a_mill
-from foon_kg.integration.teaching.operators import Attested, Nearness, Way
+from foon_kg.integration.teaching.operators import Attested, Way
 
 _SOFT = word_list("can be mashed")
 
@@ -23,8 +23,12 @@ LEAST_ALIKE = 0.2
 BOWL = "bowl"
 
 _GRATE = "grate"
+_OPEN = "open"
 
-_RARE = 0.2
+STANDS_FOR = {"stone": ("core",), "choke": ("core",), "core": ("stone",), "shell": ("peel",), "husk": ("peel",)}
+"""What also does for a treatment."""
+
+_RARE = 0.3
 """So seldom, beside the most usual way, is a state given in a way that somebody noted wrongly."""
 
 _SHREDS = word_list("only what is cooked is so")
@@ -36,6 +40,11 @@ def _divides(known: Tables, motion: str) -> bool:
     does = known.motion(motion).does
     others = NOT_BY_HAND - {"mix"} if "mash" in does else NOT_BY_HAND
     return not does.isdisjoint(CUTS) and does.isdisjoint(others)
+
+
+def _by_bare_hands(ways: Sequence[Way]) -> list[Way]:
+    """Return those of some ways in which fingers pull flesh apart."""
+    return [way for way in ways if way[0] in word_list("pulls flesh apart") and not way[1]]
 
 
 class Cutter:
@@ -59,26 +68,31 @@ class Cutter:
         return self._cuts[key]
 
     def _way_to_cut_so(self, want: Want, state: str) -> Attested | None:
-        ways = [way for way in self.operators.making(state) if self.is_cut(way)]
-        ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
-        ways = self._with_a_knife(ways, want)
-        if wants_a_mill(state, want.facts, self.known):
-            ways = [way for way in ways if is_mill(way, self.known)]
         if state in word_list("is pulled apart by hand"):
             pulls = [way for motion in sorted(word_list("pulls flesh apart")) for way in self.operators.ways_of(motion)]
-            pulls = [way for way in pulls if not way[1]]
-            return self.bench.attest(pulls, want.names, act=True) or self.bench.far(pulls, want.names, act=True)
-        if state in _SHREDS and want.facts.is_a(*word_list("is flesh")):
-            by_hand = [way for way in ways if way[0] in word_list("pulls flesh apart") and not way[1]]
-            ways = by_hand or ways
+            return self.bench.near_or_far(_by_bare_hands(pulls), want.names, act=True)
+        ways = self._ways_to_cut(want, state)
+        grating = self._ways_to_grate(ways, want, state)
+        like = self._nearest_cut(grating, want, state)
+        if like is None and want.facts.is_a(*word_list("can be grated")):
+            like = self.bench.far(grating, want.names, act=True)
+        return like or self._nearest_cut(ways, want, state)
+
+    def _ways_to_cut(self, want: Want, state: str) -> list[Way]:
+        """Return the ways of this FOON by which such a food can be brought into pieces of that state."""
+        ways = [way for way in self.operators.making(state) if self.is_cut(way)]
+        ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
+        torn = state in _SHREDS and want.facts.is_a(*word_list("is flesh"))  # it is cooked by then
+        ways = (_by_bare_hands(ways) if torn else []) or self._with_a_knife(ways, want)
+        if wants_a_mill(state, want.facts, self.known):
+            return [way for way in ways if is_mill(way, self.known)]
+        return ways
+
+    def _ways_to_grate(self, ways: Sequence[Way], want: Want, state: str) -> list[Way]:
+        """Return those of some ways that have a grater, where a food is brought into such a state by that alone."""
         hard = state in word_list("grates what is hard") and want.facts.is_a(*word_list("is hard to shred"))
-        grating = [way for way in ways if self.has_tool_to(_GRATE, way)]
-        if grating and (hard or state in word_list("only grates") | word_list("is so by a grater")):
-            like = self._nearest_cut(grating, want, state)
-            if like is None and want.facts.is_a(*word_list("can be grated")):
-                like = self.bench.far(grating, want.names, act=True)
-            return like or self._nearest_cut(ways, want, state)
-        return self._nearest_cut(ways, want, state)
+        grated = hard or state in word_list("only grates") | word_list("is so by a grater")
+        return [way for way in ways if grated and self.has_tool_to(_GRATE, way)]
 
     def _with_a_knife(self, ways: list[Way], want: Want) -> list[Way]:
         """Return the ways that divide a food: where it is firm, not by bare hands, nor with what is no knife."""
@@ -88,18 +102,24 @@ class Cutter:
         return [way for way in ways if (way[1] or way[0] not in bare) and unfit.isdisjoint(way[1])] or ways
 
     def _nearest_cut(self, ways: Sequence[Way], want: Want, state: str) -> Attested | None:
-        usual = self._usual_ways(ways, state)
-        tools = {way[1] for way in usual}
-        attested = self.bench.attest([way for way in ways if way[1] in tools], want.names, act=True)
-        if attested is None or attested.nearness > Nearness.FOOD:
-            attested = self.bench.attest(usual, want.names, act=True) or (self._far(usual, want) if usual else None)
-        return attested or self.bench.attest(ways, want.names, act=True) or self._far(ways, want)
+        for some in filter(None, (self._usual_ways(ways, state) or self._fit_ways(ways, want, state), ways)):
+            attested = self.bench.attest(some, want.names, act=True) or self._far(some, want)
+            if attested is not None:
+                return attested
+        return None
 
     def _usual_ways(self, ways: Sequence[Way], state: str) -> list[Way]:
         """Return the ways by which the FOON usually gives a state: a grater grates, though a knife might do."""
         given: Mapping[Way, int] = self.operators.giving.get(state, {})
         most = max((given[way] for way in ways if way in given), default=0)
         return [way for way in ways if given.get(way, 0) > _RARE * most]
+
+    def _fit_ways(self, ways: Sequence[Way], want: Want, state: str) -> list[Way]:
+        """Return the ways that are said to be fit for a state that the FOON never gives."""
+        if want.facts.is_a(*word_list("is crushed with a knife")):
+            return []
+        fit = word_lists().get(f"makes what is {state}", frozenset())
+        return [way for way in ways if way[0] in fit]
 
     def usual_cut(self, want: Want) -> str:
         """Return the state into which the FOON most often cuts such a food."""
@@ -122,6 +142,30 @@ class Cutter:
         """Whether any video has this food, or one of its very kind, in such a state."""
         names = (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}")
         return any(state in self.operators.states.get(name, ()) for name in names)
+
+    def with_a_fit_tool(self, name: str, ways: Sequence[Way], want: Want) -> Sequence[Way]:
+        """Return the ways to take off a skin with what does it: fingers, a peeler, or a knife where it is a rind."""
+        if name == "shell" and want.facts.is_a(*word_list("is shelled by hand")):
+            return [way for way in ways if not way[1]] or ways
+        if name == "husk":
+            return [way for way in ways if not way[1]] or ways
+        if name != "peel" or want.facts.is_a(*word_list("is peeled by hand")):
+            return ways
+        if want.facts.is_a(*word_list("is peeled with a knife")):
+            return [way for way in ways if self.has_tool_to(_OPEN, way)] or ways
+        return [way for way in ways if way[1]] or ways
+
+    def way_to_treat(self, want: Want, name: str) -> Attested | None:
+        """Return how hands peel, core or stone such a food; ``None`` where nobody does with a like one."""
+        ways = [way for one in (name, *STANDS_FOR.get(name, ())) for way in self.operators.ways.get(one, ())]
+        ways = [way for way in ways if not self.known.motion(way[0]).does & NOT_BY_HAND]
+        unfit = {"separate"} if name != "shell" else {"open"}  # nobody skims a skin; and opened is not shelled
+        ways = [way for way in ways if unfit.isdisjoint(self.known.motion(way[0]).does)]
+        ways = list(self.with_a_fit_tool(name, ways, want))
+        attested = self.bench.attest(ways, want.names, act=True)
+        if attested is None and not want.facts.is_a("stock", "ready"):
+            attested = self.bench.far(ways, want.names, act=True)
+        return attested
 
     def with_tool(self, attested: Attested) -> Attested:
         """Return a way of cutting with the tool that the motion most often has, where a video forgot to name it."""

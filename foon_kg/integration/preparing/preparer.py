@@ -12,7 +12,7 @@ from foon_kg.food import Level, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.parted import parts_in
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
-from foon_kg.integration.preparing.cutting import BOWL, Cutter
+from foon_kg.integration.preparing.cutting import BOWL, STANDS_FOR, Cutter
 from foon_kg.integration.preparing.preparation import (
     BRINGS,
     BY_HAND,
@@ -30,13 +30,8 @@ from foon_kg.integration.preparing.preparation import (
 from foon_kg.integration.teaching.operators import Attested, Way, form_of
 from foon_kg.world.treatment import ADVISED
 
-_STANDS_FOR = {"stone": ("core",), "choke": ("core",), "core": ("stone",), "shell": ("peel",), "husk": ("peel",)}
-"""What also does for a treatment."""
-
 _DONE_WITH = {"stone": "core", "peel": "husk"}
 """What is done by another treatment, where that is due."""
-
-_OPEN = "open"
 
 _HALVED = 1
 """How fine a food in halves is (:class:`~foon_kg.food.rows.State`)."""
@@ -262,7 +257,7 @@ class Preparer(Cutter):
     def shelled(self, ready: Ready, form: Sequence[str] = ()) -> None:
         """Take the shell off a food that was cooked in it, and cut it as it is asked."""
         ways = [way for way in self.operators.ways.get("shell", ()) if "peel" in self.known.motion(way[0]).does]
-        ways = list(self._with_a_fit_tool("shell", ways, ready.want))
+        ways = list(self.with_a_fit_tool("shell", ways, ready.want))
         attested = self.bench.require(ways, ready.want.names, act=True)
         kept = {s for s in ready.stuff.states if not self.known.state(s).undivided} - {"washed"}
         self.bench.act(ready.stuff, attested, tuple(sorted({*kept, self._gives(attested.way, ("peel",))})))
@@ -310,30 +305,11 @@ class Preparer(Cutter):
         small = state in word_list("is called small") and is_a(*word_list("is firm"))
         return flesh or plucked or small or state in word_list("is a piece to be cut")
 
-    def _with_a_fit_tool(self, name: str, ways: Sequence[Way], want: Want) -> Sequence[Way]:
-        """Return the ways to take off a skin with what does it: fingers, a peeler, or a knife where it is a rind."""
-        if name == "shell" and want.facts.is_a(*word_list("is shelled by hand")):
-            return [way for way in ways if not way[1]] or ways
-        if name == "husk":
-            return [way for way in ways if not way[1]] or ways
-        if name != "peel" or want.facts.is_a(*word_list("is peeled by hand")):
-            return ways
-        if want.facts.is_a(*word_list("is peeled with a knife")):
-            return [way for way in ways if self.has_tool_to(_OPEN, way)] or ways
-        return [way for way in ways if way[1]] or ways
-
     def _treat(self, ready: Ready, name: str) -> None:
         """Peel, core or stone the food, or assume that it was bought so."""
         want = ready.want
-        does = (name, *_STANDS_FOR.get(name, ()))
-        ways = [way for one in does for way in self.operators.ways.get(one, ())]
-        ways = [way for way in ways if not self.known.motion(way[0]).does & NOT_BY_HAND]
-        if name == "shell":
-            ways = [way for way in ways if "open" not in self.known.motion(way[0]).does]  # opened is not shelled
-        ways = list(self._with_a_fit_tool(name, ways, want))
-        attested = self.bench.attest(ways, want.names, act=True)
-        if attested is None and not want.facts.is_a("stock", "ready"):
-            attested = self.bench.far(ways, want.names, act=True)
+        does = (name, *STANDS_FOR.get(name, ()))
+        attested = self.way_to_treat(want, name)
         if attested is None:
             if want.facts.owes.get(name) is Level.FATAL or (want.make and name in self.known.state(want.make).earns):
                 self._assume(ready, self._state_for(name, want))
