@@ -72,6 +72,12 @@ KITCHEN = Kitchen.default()
         (("bowl{egg,milk}; bowl{flour,salt}; flour mixture(mixed){flour,salt}@bowl > pour > "
          "bowl{egg,milk,flour,salt}; flour mixture(mixed){flour,salt}@bowl; bowl(empty)"),
          "Pour the flour mixture from one bowl into the other."),
+        (("bowl{broth,egg}; bowl{cheese}; cheese(grated)@bowl; soup(cooked){broth,egg}@bowl > pour > "
+         "bowl{broth,cheese,egg}; soup(cooked){broth,cheese,egg}@bowl; bowl(empty)"),
+         "Pour the cheese from one bowl into the other."),
+        (("plate{chicken}; bowl{flour}; chicken@on plate; flour(powder)@bowl > dip > "
+         "plate{chicken,flour}; chicken(coated)@on plate; flour(powder)@on plate; bowl{flour}"),
+         "Dip the chicken into the flour in the bowl until coated."),
         ("bowl(empty); bowl{salmon}; salmon(flaked)@bowl > pour > bowl{salmon}; salmon(flaked)@bowl; bowl(empty)",
          "Pour the salmon from one bowl into an empty one."),
         ("pot{bay leaf,rice}; bay leaf@pot; plate; tong > remove > pot{rice}; bay leaf@on plate; plate{bay leaf}",

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property, lru_cache
+from itertools import permutations
 
 from foon_kg.food import motions
 from foon_kg.food.lists import word_list
@@ -78,12 +79,17 @@ class _Reading:
         return self._changing() if self._foods or cooks else self._handling()
 
     def _between_likes(self) -> tuple[ObjectNode, ObjectNode] | None:
-        """Return the vessel that is emptied into another one of its name, and that one, as they are before."""
-        for source in self._utensils:
-            for target in self._utensils:
-                if source is not target and source.label == target.label and self._emptied_into(source, target):
-                    return source, target
-        return None
+        """Return the vessel that is emptied into another one of its name, and that one, as they are before.
+
+        Where foods of both are named, as when the whole gets its name, the fuller one is filled: what comes last on a
+        dish is less than that.
+        """
+        pairs = [
+            (source, target)
+            for source, target in permutations(self._utensils, 2)
+            if source.label == target.label and self._emptied_into(source, target)
+        ]
+        return min(pairs, key=lambda pair: len(pair[0].ingredients), default=None)
 
     def _emptied_into(self, source: ObjectNode, target: ObjectNode) -> bool:
         after = [set(node.ingredients) for node in self._outputs if node.label == source.label]
@@ -168,6 +174,8 @@ class _Reading:
         places = {node.container for node in self._inputs if node.label in self._brought} - {target.label}
         places |= {u.label for u in self._utensils if u.label != target.label and set(u.ingredients) & {*self._brought}}
         source = next(iter(places)) if len(places) == 1 else None
+        if (dipped := self._dipped(target)) and source is not None:
+            return f"{with_object(self._verb, the(dipped))} into {the(self._brought)} in the {source}{self._gives[1]}"
         if self._verb == "fill":
             said = f"fill the {target.label} with {the(self._brought)}"
         else:
@@ -177,6 +185,13 @@ class _Reading:
         if self._verb != "fill":
             said += f" {self._way_to(target, moved=source is not None)} the {target.label}"
         return said + self._with_tools({target.label, *filter(None, places)}) + self._gives[1]
+
+    def _dipped(self, target: ObjectNode) -> list[str]:
+        """Return what is dipped into what is brought to it: what the ``target`` holds or carries besides."""
+        if word_list("is turned in by").isdisjoint(self._verb.split()):
+            return []
+        there = next((node for node in self._utensils if node.label == target.label), target)
+        return [name for name in self._held_in(there) if name not in self._brought]
 
     def _way_to(self, target: ObjectNode, *, moved: bool) -> str:
         """Return how what is brought comes to its place: into it, onto it, or over the foods that are there."""
