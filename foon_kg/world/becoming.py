@@ -9,8 +9,6 @@ from foon_kg.food import Food, Tables, words
 from foon_kg.world.reading import Said
 from foon_kg.world.things import Lump
 
-_MADE = ("made", "dough", "remains")
-
 
 def is_product(known: Tables, one: Said) -> bool:
     """Whether a food output is something that is made of foods: a dish, a dough, a dressing."""
@@ -25,22 +23,27 @@ def can_become(known: Tables, one: Said, sources: Sequence[Lump]) -> bool:
     white).
     """
     parts = [part.food for lump in sources for part in lump.parts]
-    if not parts:
+    if not parts or not _has_all_it_needs(one.label, parts, known):
         return False
-    if not all(_has_one(needs, parts, known) for needs in known.contains.get(one.label, ())):
-        return False
-    if is_product(known, one) or one.names:
-        return True
     facts = known.foods.food(one.label, one.node.states)
-    if not facts.known or one.label in known.contains or facts.is_a("remains") or one.remains:
-        return True
-    if _shares_a_word(one.label, parts, sources):
+    if _may_come_of_anything(one, facts, known) or _shares_a_word(one.label, parts, sources):
         return True
     return any(food.kind == facts.kind or food.kind in facts.kinds or facts.kind in food.kinds for food in parts)
 
 
+def _may_come_of_anything(one: Said, facts: Food, known: Tables) -> bool:
+    """Whether nothing is known of what a food comes of, except what its name needs: a product, a rest, an unknown."""
+    if one.names or one.remains or not facts.known or one.label in known.contains:
+        return True
+    return facts.is_a("remains") or is_product(known, one)
+
+
+def _has_all_it_needs(label: str, parts: Sequence[Food], known: Tables) -> bool:
+    return all(_has_one(needs, parts, known) for needs in known.contains.get(label, ()))
+
+
 def _has_one(needs: Iterable[str], parts: Sequence[Food], known: Tables) -> bool:
-    return any(_meets(need, food, known) for need in needs for food in parts)
+    return any(meets(need, food, known) for need in needs for food in parts)
 
 
 def _shares_a_word(label: str, parts: Sequence[Food], sources: Sequence[Lump]) -> bool:
@@ -53,14 +56,14 @@ def _names(sources: Sequence[Lump]) -> list[set[str]]:
 
 
 @lru_cache(maxsize=1 << 17)
-def _meets(need: str, food: Food, known: Tables) -> bool:
-    """Return whether a food is what a table asks for: ``kind:x``, ``trait:x``, a kind, or a word of its name."""
+def meets(need: str, food: Food, known: Tables) -> bool:
+    """Return whether ``food`` is what a table's ``need`` says: ``kind:x``, ``trait:x``, a kind, or a word of its name.
+
+    ``known`` says which words are kinds.
+    """
     scheme, _, name = need.rpartition(":")
     if scheme == "trait":
         return name in food.traits
     if scheme == "kind" or name in known.foods.kinds:
         return name in food.kinds or name in food.name.split()
     return food.is_a(name) or set(name.split()) <= set(food.name.split())
-
-
-meets = _meets

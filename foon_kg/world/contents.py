@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from foon_kg.food import is_among
+from collections.abc import Sequence
+
+from foon_kg.food import Utensil, is_among
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 from foon_kg.world.outcome import WORKS, Outcome
@@ -27,15 +29,27 @@ def settle(out: Outcome) -> None:
 
 def _fill_spoon(out: Outcome) -> None:
     """Fill the spoon into which a packet or bottle is poured by a step that tells of neither what came out."""
-    if not out.happening.does("move", "fetch") or any(one.utensil is None for one in out.said):
+    if out.happening.inputs or out.food_labels or not out.happening.does("move", "fetch"):
         return
-    spoons = [v for v in out.happening.vessels if v.row.role == "tool" and "scoop" in v.row.can and not v.lumps]
-    packets = [vessel for vessel in out.happening.vessels if vessel.row.keeps_food and vessel.lumps]
-    others = [v for v in out.happening.vessels if v not in spoons and v not in packets and not v.is_appliance]
-    if spoons and packets and not others and not out.happening.inputs:
-        for lump in list(packets[0].lumps):
+    poured = _poured_packet(out.happening.vessels)
+    if poured is not None:
+        packet, spoon = poured
+        for lump in list(packet.lumps):
             out.leave_rest(lump)
-            out.supply.put(lump, spoons[0])
+            out.supply.put(lump, spoon)
+
+
+def _poured_packet(vessels: Sequence[Vessel]) -> tuple[Vessel, Vessel] | None:
+    """Return a packet or bottle and the empty spoon that takes part with it; ``None`` where any other vessel does."""
+    spoons = list(filter(_is_empty_spoon, vessels))
+    packets = [vessel for vessel in vessels if vessel.row.keeps_food and vessel.lumps]
+    if any(vessel not in spoons and vessel not in packets and not vessel.is_appliance for vessel in vessels):
+        return None
+    return (packets[0], spoons[0]) if spoons and packets else None
+
+
+def _is_empty_spoon(vessel: Vessel) -> bool:
+    return vessel.row.role == "tool" and "scoop" in vessel.row.can and not vessel.lumps
 
 
 def _run_through(out: Outcome) -> None:
@@ -44,15 +58,18 @@ def _run_through(out: Outcome) -> None:
     What was kneaded or shaped keeps the liquid that is worked into it, and so does a batter of eggs that has set.
     """
     for vessel in dict.fromkeys((*out.happening.vessels, *out.vessel_of.values())):
-        if "strain" not in vessel.row.can or vessel.row.role != "vessel":
-            continue
-        for lump in list(vessel.lumps):
+        for lump in list(vessel.lumps) if _is_strainer(vessel.row) else ():
             if not word_list("keeps its shape").isdisjoint(lump.states) or _has_set(lump):
                 continue
             lump.parts = [part for part in lump.parts if not part.food.is_a("liquid", "water")]
             if not lump.parts:
                 out.supply.put(lump, None)
                 lump.gone = True
+
+
+def _is_strainer(row: Utensil | None) -> bool:
+    """Whether it is a vessel that lets liquid through; a skimmer or a slotted spoon is a tool."""
+    return row is not None and row.role == "vessel" and "strain" in row.can
 
 
 def _has_set(lump: Lump) -> bool:
@@ -63,37 +80,59 @@ def _has_set(lump: Lump) -> bool:
 
 def _keep_back(out: Outcome) -> None:
     """Take out of what is poured through a strainer what is told to stay in that."""
-    if not out.happening.does("separate"):
+    held = _told_in_strainers(out) if out.happening.does("separate") else frozenset()
+    if not held:
         return
-    places = ((one, one.place_utensil) for one in out.said if one.utensil is None)
-    held = {one.label for one, row in places if row is not None and row.role == "vessel" and "strain" in row.can}
     for lump in out.happening.outputs.values():
-        if held and lump.mixed and lump.label not in held:
+        if lump.mixed and lump.label not in held:
             lump.parts = [part for part in lump.parts if part.name not in held]
+
+
+def _told_in_strainers(out: Outcome) -> frozenset[str]:
+    """Return the output foods whose nodes say that they are in a strainer."""
+    return frozenset(one.label for one in out.said if one.is_food and _is_strainer(one.place_utensil))
 
 
 def _gather(out: Outcome, place: int) -> None:
     """Bring to a food what its output node holds and what went in beside it: cream that is spread on a dough."""
-    one, lump = out.said[place], out.happening.outputs[out.mentions[place].node]
+    one, node = out.said[place], out.mentions[place].node
     if one.names <= {one.label}:
         return
-    there = set(lump.names) | {part.name for part in lump.parts} | (lump.where.names if lump.where else set())
-    there |= {name for rider in lump.riders if not rider.gone for name in rider.names}
-    for name in sorted(one.names - there - {one.label}):
-        other = _to_be_moved(out, name, lump.where) or _left_behind(out, name, lump)
-        if all(part.untold for part in lump.parts):
-            lump.take(out.supply.name_lump(name, out.happening.number, None).parts)  # told now of what it is made
-        elif (some := _clings(out, name, lump)) is not None:
-            there_now = {part.name for part in lump.parts}
-            lump.take(part.copy() for part in some.parts if part.name not in there_now)
-            lump.names.add(name)
-        elif other is not None and other is not lump:
-            lump.take(other.parts)
-            lump.names |= other.names
-            out.consume(other, lump)
-            out.supply.keep(lump, lump.where)
-        elif name not in {said.label for said in out.said}:
-            _derived(out, name, out.mentions[place].node, lump.where, into=lump)
+    lump = out.happening.outputs[node]
+    for name in sorted(one.names - _there_with(lump) - {one.label}):
+        _bring(out, name, node, lump)
+
+
+def _there_with(lump: Lump) -> set[str]:
+    """Return the names of a food, of its parts, of what lies on it and of what is in its vessel."""
+    there = _held(lump) | (lump.where.names if lump.where else set())
+    return there.union(*(rider.names for rider in lump.riders if not rider.gone))
+
+
+def _bring(out: Outcome, name: str, node: ObjectNode, lump: Lump) -> None:
+    """Bring into a food one of the foods that its node says it holds."""
+    if all(part.untold for part in lump.parts):
+        lump.take(out.supply.name_lump(name, out.happening.number, None).parts)  # told now of what it is made
+        return
+    some = _clings(out, name, lump)
+    if some is not None:
+        _take_some(lump, some, name)
+        return
+    other = _to_be_moved(out, name, lump.where) or _left_behind(out, name, lump)
+    if other is not None and other is not lump:
+        lump.take(other.parts)
+        lump.names |= other.names
+        out.consume(other, lump)
+        out.supply.keep(lump, lump.where)
+    elif name not in out.labels:
+        _derived(out, name, node, lump.where, into=lump)
+
+
+def _take_some(lump: Lump, other: Lump, name: str) -> None:
+    """Let some of another food, which is called ``name``, be on a lump; the rest stays where it is."""
+    there_now = {part.name for part in lump.parts}
+    lump.take(part.copy() for part in other.parts if part.name not in there_now)
+    lump.names.add(name)
 
 
 def _clings(out: Outcome, name: str, lump: Lump) -> Lump | None:
@@ -101,11 +140,14 @@ def _clings(out: Outcome, name: str, lump: Lump) -> Lump | None:
 
     The rest of the fat stays in the pan with it, that of a coat in a vessel of its own.
     """
+    heats, coats = out.happening.does("heat"), out.happening.does("coat")
     told = (out.happening.outputs.get(mention.node) for mention in out.mentions)
-    others = [one for one in told if one is not None and one is not lump and name in _held(one)]
-    if out.happening.does("heat"):
-        return next((one for one in others if _is_fat_beside(one, lump)), None)
-    return next((one for one in others if out.happening.does("coat") and _stays_in_its_bowl(out, one, lump)), None)
+    for one in told if heats or coats else ():
+        if one is None or one is lump or name not in _held(one):
+            continue
+        if _is_fat_beside(one, lump) if heats else _stays_in_its_bowl(out, one, lump):
+            return one
+    return None
 
 
 def _is_fat_beside(one: Lump, lump: Lump) -> bool:
@@ -117,6 +159,7 @@ def _stays_in_its_bowl(out: Outcome, one: Lump, lump: Lump) -> bool:
 
 
 def _held(lump: Lump) -> set[str]:
+    """Return the names of a food and of its parts."""
     return {*lump.names, *(part.name for part in lump.parts)}
 
 
@@ -178,60 +221,85 @@ def _fill(out: Outcome, one: Said, vessel: Vessel) -> None:
             out.leave_rest(lump)
             out.supply.put(lump, vessel)
             out.mapped.add(id(lump))
-        elif name not in {other.label for other in out.said}:
+        elif name not in out.labels:
             _derived(out, name, one.node, vessel)
-    if one.empty or (not one.names and out.happening.does("move") and vessel.lumps and _poured_out(out, vessel)):
+    if one.empty or _is_poured_out(out, one, vessel):
         _empty(out, vessel)
 
 
-def _poured_out(out: Outcome, vessel: Vessel) -> bool:
+def _is_poured_out(out: Outcome, one: Said, vessel: Vessel) -> bool:
     """Whether a vessel that is told without contents was poured out: another one holds them by its node."""
+    if one.names or not vessel.lumps or not out.happening.does("move"):
+        return False
     claimed = [other.names for place, other in enumerate(out.said) if out.vessel_of.get(place) is not vessel]
     return any(not names.isdisjoint(vessel.names) for names in claimed)
 
 
 def _to_be_moved(out: Outcome, name: str, vessel: Vessel | None) -> Lump | None:
     """Return the food that a vessel is said to hold now and that is elsewhere: of that name, else of one like it."""
-    other: Lump | None = None
-    for lump in out.lumps():
-        stayed = id(lump) in out.mapped and lump.where is out.before.get(id(lump), lump.where)
-        if lump.gone or lump.where is vessel or (id(lump) in out.mapped and not stayed):
-            continue
-        if name in lump.names or any(part.name == name for part in lump.parts):
+    elsewhere = [lump for lump in out.lumps() if lump.where is not vessel and _is_free(out, lump)]
+    for lump in elsewhere:
+        if name in _held(lump):
             return lump
-        if other is None and lump in out.happening.inputs and is_among(name, lump.names):
-            other = lump
-    return other
+    return next((lump for lump in elsewhere if lump in out.happening.inputs and is_among(name, lump.names)), None)
+
+
+def _is_free(out: Outcome, lump: Lump) -> bool:
+    """Whether a step may still move a food: it is there, and no output is it, or one that stayed where it was."""
+    if lump.gone:
+        return False
+    return id(lump) not in out.mapped or lump.where is out.before.get(id(lump), lump.where)
 
 
 def _empty(out: Outcome, vessel: Vessel) -> None:
     """Move what is left of a vessel that is told empty to where the rest went; without such a place it is gone."""
-    targets = [
-        other for place, other in out.vessel_of.items()
-        if other is not vessel and not other.is_appliance and out.said[place].names and other.row.role != "storage"
-    ]  # fmt: skip
-    targets += [lump.where for lump in out.happening.outputs.values() if lump.where not in (None, vessel)]
+    stored = vessel.row.role == "storage"  # of what is sold so there is more in the shop
+    target = None if stored else _target_of_rest(out, vessel)
     for lump in list(vessel.lumps):
-        drained = out.happening.does(*_LETS_GO) and lump.parts and lump.parts[0].food.is_a("water", "liquid")
-        left = all(part.remains for part in lump.parts)
-        if targets and not drained and not left and vessel.row.role != "storage":
-            out.supply.put(lump, targets[0])
+        if target is not None and not _is_waste(out, lump):
+            out.supply.put(lump, target)
         else:
             out.supply.put(lump, None)
-            lump.gone = vessel.row.role != "storage"
+            lump.gone = not stored
+
+
+def _target_of_rest(out: Outcome, vessel: Vessel) -> Vessel | None:
+    """Return where what was in a vessel went by the outputs: into one that holds something, else to where a food is."""
+    for place, other in out.vessel_of.items():
+        if other is not vessel and out.said[place].names and other.row.role not in {"storage", "appliance"}:
+            return other
+    places = (lump.where for lump in out.happening.outputs.values())
+    return next((place for place in places if place is not None and place is not vessel), None)
+
+
+def _is_waste(out: Outcome, lump: Lump) -> bool:
+    """Whether what is left in a vessel goes nowhere: it is what nobody eats, or water that runs off."""
+    drained = out.happening.does(*_LETS_GO) and lump.parts and lump.parts[0].food.is_a("water", "liquid")
+    return bool(drained) or all(part.remains for part in lump.parts)
+
+
+def _target(out: Outcome) -> Vessel | None:
+    """Return where a step brings things: the first output that is a vessel, else where its first food is."""
+    for vessel in out.vessel_of.values():
+        if vessel.row.role in {"vessel", "wrap"}:
+            return vessel
+    return next((lump.where for lump in out.happening.outputs.values() if lump.where is not None), None)
+
+
+def _is_carried(out: Outcome, lump: Lump, target: Vessel) -> bool:
+    """Whether a food goes along: it was in the hand, on the table or in its packet, or its label is told in there."""
+    if lump.where is None or lump.where.row.role in {"storage", "place"}:
+        return True
+    return lump.label in _claimed_by(out, target)
 
 
 def _let_go(out: Outcome) -> None:
     """Bring what was put in and is named in no output to where the step brings things: into the one target."""
-    targets = [v for v in out.vessel_of.values() if not v.is_appliance and v.row.role in {"vessel", "wrap"}]
-    targets += [lump.where for lump in out.happening.outputs.values() if lump.where is not None]
-    for lump in out.happening.inputs:
-        if lump.gone or id(lump) in out.mapped:
-            continue
-        carried = lump.where is None or lump.where.row.role in {"storage", "place"}
-        carried = carried or (bool(targets) and lump.label in _claimed_by(out, targets[0]))
-        if targets and carried and out.happening.does("move", "scatter", *WORKS):
-            out.supply.put(lump, targets[0])
+    left = [lump for lump in out.happening.inputs if not lump.gone and id(lump) not in out.mapped]
+    target = _target(out) if left and out.happening.does("move", "scatter", *WORKS) else None
+    for lump in left:
+        if target is not None and _is_carried(out, lump, target):
+            out.supply.put(lump, target)
         elif out.happening.does("discard"):
             out.supply.put(lump, None)
             lump.gone = True

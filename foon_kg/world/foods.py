@@ -10,7 +10,7 @@ from foon_kg.model.tree import Mention
 from foon_kg.world.becoming import can_become, is_product
 from foon_kg.world.outcome import JOINS, WORKS, Outcome
 from foon_kg.world.reading import Said
-from foon_kg.world.things import Lump, Vessel
+from foon_kg.world.things import Lump, Part, Vessel
 
 
 def settle(out: Outcome) -> None:
@@ -51,19 +51,29 @@ def _is_same(out: Outcome, place: int) -> bool:
 
 
 def _same(out: Outcome, mention: Mention, one: Said) -> Lump | None:
-    if mention.thing is not None:
-        lump = out.supply.numbered_lumps.get(mention.thing)
-        if lump is not None:
-            return lump
+    """Return the food that went in and that an output is; ``None`` where it was made of what went in."""
+    numbered = None if mention.thing is None else out.supply.numbered_lumps.get(mention.thing)
+    if numbered is not None:
+        return numbered
     named = [lump for lump in out.lumps() if one.label in lump.names]
-    explicit = [lump for lump in named if lump in out.happening.inputs]
-    if explicit or named:
-        fresh = [lump for lump in explicit or named if id(lump) not in out.mapped]
-        return max(fresh or explicit or named, key=lambda lump: len(set(lump.states) & set(one.node.states)))
-    if is_product(out.tables, one):
-        return None
-    of_part = [lump for lump in out.lumps() if any(part.name == one.label for part in lump.parts)]
-    return of_part[0] if of_part and not of_part[0].mixed else None
+    if named:
+        return _likest(out, one, named)
+    return None if is_product(out.tables, one) else _known_by_a_part(out, one)
+
+
+def _likest(out: Outcome, one: Said, named: Sequence[Lump]) -> Lump:
+    """Return of ``named`` foods the one an output is: an input, that is no other output, in most of its states."""
+    inputs = [lump for lump in named if lump in out.happening.inputs] or named
+    fresh = [lump for lump in inputs if id(lump) not in out.mapped]
+    return max(fresh or inputs, key=lambda lump: len(set(lump.states) & set(one.node.states)))
+
+
+def _known_by_a_part(out: Outcome, one: Said) -> Lump | None:
+    """Return the first food that has a part of an output's name, unless others are mixed into it."""
+    for lump in out.lumps():
+        if any(part.name == one.label for part in lump.parts):
+            return None if lump.mixed else lump
+    return None
 
 
 def _named_twice(out: Outcome, one: Said) -> bool:
@@ -108,10 +118,9 @@ def _gathers(out: Outcome, one: Said, lump: Lump) -> bool:
 
 
 def _place(out: Outcome, one: Said, node: ObjectNode, lump: Lump) -> Vessel | None:
+    """Return where an output food is: where its node says, else where it was, unless the step takes it out of there."""
     if one.place is None:
-        moved = out.happening.does("fetch", "separate", "move", "open") and out.happening.motion.known
-        stays = lump.where is not None and not (moved and lump.where.row.role in {"storage", "appliance"})
-        return lump.where if stays else None
+        return None if _is_taken_out(out, lump) else lump.where
     if one.place_utensil is None:
         return _on_food(out, one, node, lump)
     vessel = _vessel_called(out, one)
@@ -122,6 +131,13 @@ def _place(out: Outcome, one: Said, node: ObjectNode, lump: Lump) -> Vessel | No
     if one.place_utensil.role != "place" and one.node.relation != "from":
         out.happening.fault("W2", f"there is no {one.place} in which it could be now", node)
     return out.supply.fresh(one.place)
+
+
+def _is_taken_out(out: Outcome, lump: Lump) -> bool:
+    """Whether a step takes a food out of where it was bought or cooled, and so into the hand."""
+    if lump.where is None or lump.where.row.role not in {"storage", "appliance"}:
+        return False
+    return out.happening.does("fetch", "separate", "move", "open") and out.happening.motion.known
 
 
 def _vessel_called(out: Outcome, one: Said) -> Vessel | None:
@@ -139,19 +155,27 @@ def _vessel_called(out: Outcome, one: Said) -> Vessel | None:
 
 def _on_food(out: Outcome, one: Said, node: ObjectNode, lump: Lump) -> Vessel | None:
     """Return the vessel of the food on which another lies."""
-    under = next((o for o in out.lumps() if one.place in o.names or o.label == one.place), None)
-    under = under or next((o for o in out.lumps() if _is_called(o, str(one.place))), None)
+    under = _food_called(out, str(one.place))
     if under is not None:
         if under is not lump and lump not in under.riders:
             under.riders.append(lump)
             out.happening.vessels_moved = True
         return under.where
     if out.tables.foods.is_listed(str(one.place)):
-        if not any(other.label == one.place for other in out.said):
+        if one.place not in out.labels:
             out.happening.fault("W2", f"there is no {one.place} on which it could be", node)
         return lump.where
     laid = [*out.vessel_of.values(), *out.happening.vessels]  # a sheet of foil is called a sheet
     return next((vessel for vessel in laid if vessel.row.role == "wrap"), lump.where)
+
+
+def _food_called(out: Outcome, name: str) -> Lump | None:
+    """Return the food that has a name; where none has it, the first that somebody could call so for short."""
+    lumps = out.lumps()
+    for lump in lumps:
+        if name in lump.names or lump.label == name:
+            return lump
+    return next((lump for lump in lumps if _is_called(lump, name)), None)
 
 
 def _make(out: Outcome, place: int) -> None:
@@ -165,25 +189,39 @@ def _make(out: Outcome, place: int) -> None:
     if not _may_become(out, one, sources):
         names = ", ".join(sorted({part.name for lump in sources for part in lump.parts})) or "nothing"
         out.happening.fault("W2", f"{one.label} does not come of {names}", mention.node)
-    splits = out.happening.does("separate", "open", "shell", "fetch", "cut", "peel", "core", "stone", "husk")
-    keeps = (splits and not one.names) or one.remains
-    shared = [part for lump in sources for part in lump.parts]
-    parts = [part.copy(remains=one.remains) for part in shared] if keeps else shared
-    if keeps:
-        out.supply.parts += parts
-    if not parts:
-        parts = [out.supply.new_part(one.label, mention.node.states, out.happening.number)]
-        out.happening.taken += parts
+    keeps = _leaves_its_sources(out, one)
     product = Lump(one.label, {one.label}, mention.node.states, [], number=mention.thing, made=True)
-    product.take(parts)
+    product.take(_parts_of(out, one, sources, copied=keeps) or _new_parts(out, one))
     product.last = out.happening.number
-    for lump in sources:
-        if not keeps:
-            out.consume(lump, product)
+    for lump in () if keeps else sources:
+        out.consume(lump, product)
     out.supply.keep(product, where)
     out.mapped.add(id(product))
     out.happening.outputs[mention.node] = product
     out.happening.made.append(product)
+
+
+def _leaves_its_sources(out: Outcome, one: Said) -> bool:
+    """Whether a product comes off something that is still there: a peel, the juice of a lemon, a slice of ham."""
+    splits = out.happening.does("separate", "open", "shell", "fetch", "cut", "peel", "core", "stone", "husk")
+    return one.remains or (splits and not one.names)
+
+
+def _parts_of(out: Outcome, one: Said, sources: Sequence[Lump], *, copied: bool) -> list[Part]:
+    """Return the parts of a product's sources; ``copied`` where these keep their own."""
+    parts = [part for lump in sources for part in lump.parts]
+    if not copied:
+        return parts
+    portions = [part.copy(remains=one.remains) for part in parts]
+    out.supply.parts += portions
+    return portions
+
+
+def _new_parts(out: Outcome, one: Said) -> list[Part]:
+    """Return the part of a product that is made of nothing: it is taken from the kitchen as it is."""
+    parts = [out.supply.new_part(one.label, one.node.states, out.happening.number)]
+    out.happening.taken += parts
+    return parts
 
 
 def _alias(out: Outcome, lump: Lump, one: Said, node: ObjectNode) -> None:
@@ -202,21 +240,36 @@ def _may_become(out: Outcome, one: Said, sources: Sequence[Lump]) -> bool:
 
 def _sources(out: Outcome, one: Said, where: Vessel | None) -> list[Lump]:
     """Return the foods of which an output may be made: those that went in, and what is in the vessels that did."""
-    outputs = {other.label for other in out.said if other.utensil is None}
-    going_in = [lump for lump in out.happening.inputs if not lump.gone]
-    explicit = [lump for lump in going_in if lump.label not in outputs]
-    if not explicit:
-        explicit = [lump for lump in going_in if lump.label != one.label]
-    found = list(explicit)
+    explicit = _spent_inputs(out, one)
     works = out.happening.does(*WORKS) or is_product(out.tables, one)
+    held: list[Lump] = []
     for vessel in out.happening.vessels:
         takes_all = works and (vessel is where or not explicit)
-        held = [lump for lump in vessel.lumps if lump.label not in outputs]
-        found += [lump for lump in held if lump not in found and (takes_all or _is_named(one, lump))]
-    found += [rider for lump in explicit for rider in lump.riders if rider not in found and not rider.gone]
-    if where is not None and works:
-        found += [lump for lump in where.lumps if lump not in found and lump.label not in outputs]
-    return found
+        held += vessel.lumps if takes_all else _named_in(vessel, one)
+    around = where.lumps if where is not None and works else []
+    found = [*explicit, *_without_output(out, held), *_riders(explicit), *_without_output(out, around)]
+    return list(dict.fromkeys(found))
+
+
+def _riders(lumps: Sequence[Lump]) -> list[Lump]:
+    """Return what lies on ``lumps``."""
+    return [rider for lump in lumps for rider in lump.riders if not rider.gone]
+
+
+def _named_in(vessel: Vessel, one: Said) -> list[Lump]:
+    """Return what is in a vessel of which an output says that it is made."""
+    return [lump for lump in vessel.lumps if _is_named(one, lump)]
+
+
+def _spent_inputs(out: Outcome, one: Said) -> list[Lump]:
+    """Return the inputs that no output is called like; where each is, those that are called otherwise than ``one``."""
+    going_in = [lump for lump in out.happening.inputs if not lump.gone]
+    return _without_output(out, going_in) or [lump for lump in going_in if lump.label != one.label]
+
+
+def _without_output(out: Outcome, lumps: Sequence[Lump]) -> list[Lump]:
+    """Return those of ``lumps`` that no output food is called like."""
+    return [lump for lump in lumps if lump.label not in out.food_labels]
 
 
 def _is_named(one: Said, lump: Lump) -> bool:
@@ -226,16 +279,20 @@ def _is_named(one: Said, lump: Lump) -> bool:
 
 def _join_all(out: Outcome, lump: Lump) -> None:
     """Mix into a lump all else that went in and has no output of its own, with all that shares its vessel."""
-    others = [o for o in out.happening.inputs if o is not lump and id(o) not in out.mapped and not o.gone]
-    if lump.where is not None:
-        others += [o for o in lump.where.lumps if o is not lump and o not in others and id(o) not in out.mapped]
-    told = {one.label for one in out.said if one.utensil is None}  # what has an output of its own is not mixed in
-    others = [other for other in others if other.label == lump.label or other.label not in told]
+    told_apart = out.food_labels - {lump.label}
+    others = [other for other in _unclaimed(out, lump) if other.label not in told_apart]
     for other in others:
         lump.take(other.parts)
         out.consume(other, lump)
     if others:
         out.supply.keep(lump, lump.where)
+
+
+def _unclaimed(out: Outcome, lump: Lump) -> list[Lump]:
+    """Return the inputs that no output is yet, and what is so beside a lump."""
+    going_in = [other for other in out.happening.inputs if not other.gone]
+    beside = lump.where.lumps if lump.where is not None else []
+    return [one for one in dict.fromkeys([*going_in, *beside]) if one is not lump and id(one) not in out.mapped]
 
 
 def _is_called(lump: Lump, name: str) -> bool:

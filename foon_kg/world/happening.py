@@ -62,3 +62,7 @@ class Happening:
     def does(self, *classes: str) -> bool:
         """Whether the motion does one of these."""
         return not self.motion.does.isdisjoint(classes)
+
+    def is_made_of(self, lump: Lump, before: Vessel | None) -> bool:
+        """Whether ``lump`` went up in a product of the step in the very place where it was ``before``."""
+        return lump.gone and any(product.where is before for product in self.made)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cached_property
 
 from foon_kg.model import ObjectNode
 from foon_kg.world.happening import Happening
@@ -43,6 +44,16 @@ class Outcome:
             names.update([part.name for part in lump.parts])
         return names
 
+    @cached_property
+    def labels(self) -> frozenset[str]:
+        """What the outputs are called."""
+        return frozenset(one.label for one in self.said)
+
+    @cached_property
+    def food_labels(self) -> frozenset[str]:
+        """What those outputs are called that are food: what has an output of its own goes up in no other."""
+        return frozenset(one.label for one in self.said if one.is_food)
+
     def lumps(self) -> list[Lump]:
         """Return the foods that went in, those first that are inputs, then what their vessels hold."""
         found = list(self.happening.inputs)
@@ -54,14 +65,11 @@ class Outcome:
         """Yield what the inputs stand in, on or are attached to."""
         for lump in self.happening.inputs:
             place = self.before.get(id(lump), lump.where)
-            while place is not None:
-                yield place
-                place = place.where
+            if place is not None:
+                yield from place.stack()
         for vessel in self.happening.vessels:
-            place = vessel.where
-            while place is not None:
-                yield place
-                place = place.where
+            if vessel.where is not None:
+                yield from vessel.where.stack()
 
     def standing(self) -> Iterable[Vessel]:
         """Yield what stands on or in an input: taking a tray out of the oven names the oven only."""
@@ -123,11 +131,15 @@ class Outcome:
         spent = [lump for lump in lumps if lump.gone and id(lump) in self.before]
         for lump in lumps:
             old = self.before.get(id(lump), lump.where)
-            made_here = lump.gone and any(product.where is old for product in self.happening.made)
-            if (lump.where is not old or lump in spent) and not made_here:
+            moved = lump.where is not old or lump in spent
+            if moved and not self.happening.is_made_of(lump, old):
                 self.happening.moved.append((lump, old, lump.where))
+        self._note_products({self.before[id(lump)] for lump in spent})
+
+    def _note_products(self, origins: set[Vessel | None]) -> None:
+        """Keep as moved what was made of foods from ``origins``, unless it is where all of them were."""
         for product in self.happening.made:
-            if not spent or any(self.before[id(lump)] is not product.where for lump in spent):
+            if origins != {product.where}:
                 self.happening.moved.append((product, None, product.where))
 
     def _note_emptied(self) -> None:

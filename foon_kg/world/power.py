@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from foon_kg.model import ObjectNode
 from foon_kg.world.happening import Happening
 from foon_kg.world.reading import Said
@@ -30,16 +32,24 @@ def burner_of(said: Said) -> str:
 
 
 def _check_power(vessel: Vessel, said: Said, node: ObjectNode, happening: Happening) -> None:
+    """Tell an appliance that is off where its node says on, or on where it says off."""
+    if vessel.row.always_on:
+        return
     burner = burner_of(said)
     on = vessel.is_on(burner)
-    if said.on and not on and not vessel.row.always_on:
+    if said.on and not on:
         happening.fault("W3", f"the {vessel.label} is said to be on, and nobody turned it on", node)
-        vessel.power[burner if vessel.row.power == "vessel" else ""] = True
-    elif said.off and on and not vessel.row.always_on and (burner in vessel.power or vessel.row.power != "vessel"):
+        _light(vessel, burner)
+    elif said.off and on and (burner in vessel.power or vessel.row.power != "vessel"):
         # what is only taken away from it can be taken from an oven that is on: the hand is burnt, the dish is not
         leaves = happening.does("fetch", "separate", "move") and not happening.does("heat", "attach", "detach")
         reason = f"the {vessel.label} is said to be off, and it is on"
         happening.fault("W3", reason, node, minor=leaves and vessel.row.source == "heat")
+
+
+def _light(vessel: Vessel, burner: str) -> None:
+    """Let an appliance be on for a burner, so that the fault of one who did not turn it on is told once."""
+    vessel.power[burner if vessel.row.power == "vessel" else ""] = True
 
 
 def _check_hot(vessel: Vessel, node: ObjectNode, happening: Happening) -> None:
@@ -49,11 +59,12 @@ def _check_hot(vessel: Vessel, node: ObjectNode, happening: Happening) -> None:
         return
     if not source.is_on(vessel.label):
         happening.fault("W3", f"the {vessel.label} is said to be hot, and the {source.label} is off", node)
-        source.power[vessel.label if source.row.power == "vessel" else ""] = True
+        _light(source, vessel.label)
     vessel.hot = True
 
 
 def _check_source(happening: Happening) -> None:
+    """Tell work that takes heat or power, and that has no source of it, or one that is off."""
     source = happening.motion.source
     if source not in {"heat", "power"} or happening.does(*_SWITCHES):
         return
@@ -65,7 +76,7 @@ def _check_source(happening: Happening) -> None:
         names = ", ".join(sorted({vessel.label for vessel, _ in sources}))
         happening.fault("W3", f"“{happening.step.motion}” while the {names} is off", *_nodes_of(happening))
         for vessel, burner in sources:
-            vessel.power[burner if vessel.row.power == "vessel" else ""] = True
+            _light(vessel, burner)
 
 
 def _nodes_of(happening: Happening) -> tuple[ObjectNode, ...]:
@@ -73,20 +84,21 @@ def _nodes_of(happening: Happening) -> tuple[ObjectNode, ...]:
 
 
 def sources_of(happening: Happening, source: str) -> list[tuple[Vessel, str]]:
-    """Return the appliances that could work in a step, each with the burner: inputs, and what an input stands on."""
+    """Return the appliances that give ``source`` (heat, power) in a step, each with the burner.
+
+    These are inputs, and what an input stands on.
+    """
     found: list[tuple[Vessel, str]] = []
     vessels = [*happening.vessels, *(lump.where for lump in happening.inputs if lump.where is not None)]
     for vessel in vessels:
-        if vessel.is_appliance and vessel.row.source == source:
-            standing = [other.label for other in vessels if other.where is vessel]
-            found.append((vessel, standing[0] if standing else ""))
-        below = vessel
-        while below.where is not None:
-            place = below.where
-            if place.is_appliance and place.row.source == source:
-                found.append((place, below.label))
-            below = place
+        if _gives(vessel, source):
+            found.append((vessel, next((other.label for other in vessels if other.where is vessel), "")))
+        found += [(place, above.label) for above, place in pairwise(vessel.stack()) if _gives(place, source)]
     return found
+
+
+def _gives(vessel: Vessel, source: str) -> bool:
+    return vessel.is_appliance and vessel.row.source == source
 
 
 def heated_vessels(happening: Happening) -> list[Vessel]:
@@ -101,13 +113,8 @@ def heated_vessels(happening: Happening) -> list[Vessel]:
 
 
 def stands_in_oven(vessel: Vessel) -> bool:
-    """Whether a vessel stands in what heats from all sides."""
-    place: Vessel | None = vessel
-    while place is not None:
-        if place.row.source == "heat" and place.row.holds == "in":
-            return True
-        place = place.where
-    return False
+    """Whether ``vessel`` stands in what heats from all sides."""
+    return any(place.row.source == "heat" and place.row.holds == "in" for place in vessel.stack())
 
 
 def _check_attached(happening: Happening) -> None:
@@ -118,20 +125,21 @@ def _check_attached(happening: Happening) -> None:
 
 
 def check_outputs(supply: Supply, happening: Happening) -> None:
-    """Switch what the motion switches, and tell what enters or leaves something closed."""
+    """Switch what the motion switches in the kitchen of ``supply``, and tell what enters or leaves something closed."""
     for said in happening.said_out:
         if said.is_appliance:
             _switch(supply, said, said.node, happening)
     for lump, before, now in happening.moved:
-        if lump in happening.made or (lump.gone and any(product.where is before for product in happening.made)):
+        if lump in happening.made or happening.is_made_of(lump, before) or _same_stack(before, now):
             continue
         for vessel in (before, now):
-            if vessel is not None and vessel.covered and before is not now and not _same_stack(before, now):
+            if vessel is not None and vessel.covered:
                 _closed(vessel, lump, happening)
 
 
 def _same_stack(before: Vessel | None, now: Vessel | None) -> bool:
-    return before is not None and now is not None and (before.where is now or now.where is before)
+    """Whether both are one place, or one stands in the other: what is in a covered pan stays in it."""
+    return before is now or (before is not None and now is not None and (before.where is now or now.where is before))
 
 
 def _closed(vessel: Vessel, lump: Lump, happening: Happening) -> None:

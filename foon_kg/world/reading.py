@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -85,7 +85,7 @@ class Reader:
         place, holder = self._place_of(node, utensil)
         states = [state.lower() for state in node.states]
         claims = self.tables.utensil_states
-        rows = [self.tables.state(state) for state in node.states] if utensil is None else []
+        rows = list(map(self.tables.state, node.states)) if utensil is None else []
         fine = [row.fine for row in rows if row.fine is not None]
         return Said(
             node,
@@ -95,13 +95,13 @@ class Reader:
             place,
             None if place is None else self.utensil(place),
             holder,
-            empty=not names and any("empty" in state for state in states),
+            empty=not names and "empty" in " ".join(states),
             on=not claims["on"].isdisjoint(states),
             off=not claims["off"].isdisjoint(states),
             hot=not claims["hot"].isdisjoint(states),
-            covered=any(state.partition(" [")[0] in claims["closed"] for state in states) or node.relation == "covered",
+            covered=_is_covered(node, states, claims["closed"]),
             uncovered=not claims["open"].isdisjoint(states),
-            undivided=any(row.undivided for row in rows) and not any(fine),
+            undivided=_is_undivided(rows),
             remains=self._remains(node, utensil, rows),
             fine=max(fine, default=None),
             earns=frozenset().union(*(row.earns for row in rows)) - {"remains"},
@@ -120,6 +120,16 @@ class Reader:
         if any("remains" in row.earns for row in rows):
             return True
         return utensil is None and self.tables.foods.food(node.label, node.states).is_a("remains")
+
+
+def _is_covered(node: ObjectNode, states: Sequence[str], closed: Collection[str]) -> bool:
+    """Whether a node says that its vessel is closed: by its relation or a state (*covered [foil]* names the lid)."""
+    return node.relation == "covered" or any(state.partition(" [")[0] in closed for state in states)
+
+
+def _is_undivided(rows: Sequence[State]) -> bool:
+    """Whether states say that a food is in one piece, and none of them that it is in pieces."""
+    return any(row.undivided for row in rows) and not any(row.fine for row in rows)
 
 
 def _place_in_states(node: ObjectNode) -> str | None:

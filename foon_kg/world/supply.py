@@ -13,6 +13,7 @@ from foon_kg.food import Food, Utensil, is_among
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import Mention
 from foon_kg.world.happening import Happening
+from foon_kg.world.matching import carries, divides_like, in_storage, is_still, place_score, same_place
 from foon_kg.world.reading import Reader, Said
 from foon_kg.world.things import Lump, Part, Vessel
 
@@ -106,15 +107,13 @@ class Supply:
         return vessel
 
     def _empty(self, there: list[Vessel], said: Said, happening: Happening) -> Vessel:
-        placed = [v for v in there if said.place is None or (v.where is not None and v.where.label == said.place)]
-        if not said.empty and (said.utensil is None or said.utensil.role != "tool"):
-            return max(placed, key=lambda v: v.last) if placed else self._stand(self.fresh(said.label), said)
-        clean = [v for v in placed if not v.lumps] or [v for v in there if not v.lumps and said.place is None]
-        if clean:
-            return max(clean, key=lambda v: v.last)
-        full = next((v for v in placed if v.lumps and v.where and v.where.is_appliance), None)
-        if full is not None and said.empty and said.place:
-            happening.fault("W1", f"it holds {_names(full.names)} there, and is said to be empty", said.node)
+        """Return a vessel of which no contents are told: the last used of those where it is told, else a fresh one."""
+        placed = [vessel for vessel in there if _stands_as_told(vessel, said)]
+        usable = [vessel for vessel in placed if not vessel.lumps] if _has_to_be_clean(said) else placed
+        if usable:
+            return max(usable, key=lambda vessel: vessel.last)
+        if said.empty and said.place:
+            _tell_full(placed, said, happening)
         return self._stand(self.fresh(said.label), said)
 
     def _stand(self, vessel: Vessel, said: Said) -> Vessel:
@@ -150,65 +149,50 @@ class Supply:
 
     def food(self, mention: Mention, said: Said, happening: Happening) -> Lump:
         """Return the lump that an input node is; a new one from the kitchen where nothing there can be it."""
-        if mention.thing is not None and mention.thing in self.numbered_lumps:
-            return self._numbered_lump(self.numbered_lumps[mention.thing], said, happening)
         if mention.thing is not None:
-            return self._from_kitchen(said, happening, mention.thing)
+            lump = self.numbered_lumps.get(mention.thing)
+            if lump is None:
+                return self._from_kitchen(said, happening, mention.thing)
+            return self._numbered_lump(lump, said, happening)
         known = self.known_lumps.get(said.node)
-        beside = any(vessel.label == said.place and known not in vessel.lumps for vessel in happening.vessels)
-        if known is not None and known not in happening.inputs and _is_still(known, said) and not beside:
-            return known
+        if known is not None and known not in happening.inputs and is_still(known, said):
+            beside = any(vessel.label == said.place and known not in vessel.lumps for vessel in happening.vessels)
+            if not beside:
+                return known
         best = max(self._candidates(said, happening), key=lambda row: row[0], default=None)
         if best is not None:
             return best[1]
         return self._from_kitchen(said, happening)
 
     def _numbered_lump(self, lump: Lump, said: Said, happening: Happening) -> Lump:
-        if lump.gone:
-            happening.fault("W1", f"this {said.label} was used up before", said.node)
-        elif said.place is not None and lump.where is not None and not _same_place(said.place, lump.where):
-            happening.fault("W1", f"it is in the {lump.where.label} and not in the {said.place}", said.node)
-        elif said.undivided and (lump.fine > 0 or lump.mixed):
-            happening.fault("W1", f"it is {', '.join(lump.states) or 'mixed'} by now", said.node)
+        """Return a lump by its number, and tell what of its node is not so."""
+        reason = _why_not(lump, said)
+        if reason is not None:
+            happening.fault("W1", reason, said.node)
         for state in said.node.states:
             if state not in lump.states and not self.reader.tables.state(state).sold:
                 happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
         return lump
 
     def _candidates(self, said: Said, happening: Happening) -> Iterator[tuple[tuple[int, ...], Lump]]:
+        """Yield the lumps that a node can be, each with how well it is that one: by place, state and step."""
         there = [vessel.label for vessel in happening.vessels]
         for lump in self.lumps.get(said.label, ()):
-            if lump.gone or lump.number is not None or lump in happening.inputs:
+            if lump.gone or lump.number is not None or lump in happening.inputs or not divides_like(lump, said):
                 continue
-            if said.undivided and (lump.fine > 0 or lump.mixed):
-                continue
-            if said.fine and lump.fine > said.fine and not set(said.node.states) & set(lump.states):
-                continue
-            if lump.parts and all(part.remains for part in lump.parts) != said.remains and not said.undivided:
-                continue
-            place = self._fit(said, lump, there)
+            place = place_score(said, lump, there, lies_on=self._lies_as_told(said, lump))
             if place == 0:
                 continue
-            alike = len(set(said.node.states) & set(lump.states)) - len(set(said.node.states) ^ set(lump.states))
+            mine, told = set(lump.states), set(said.node.states)
+            alike = len(told & mine) - len(told ^ mine)
             inside = any(lump in vessel.lumps for vessel in happening.vessels)
             yield (place, int(inside), int(lump.label == said.label), alike, lump.last), lump
 
-    def _fit(self, said: Said, lump: Lump, there: list[str]) -> int:
-        """Return how well the place of a lump is the one that a node says: 0 not at all, 3 the same."""
-        if said.place is None:
-            if lump.where is None:
-                return 3
-            if lump.where.label in there:
-                return 2
-            return 1 if "cut" in lump.where.row.can or lump.where.row.role == "place" or not said.undivided else 0
-        if lump.where is None:
-            return 2 if said.place_utensil is None or said.place_utensil.role == "place" or _in_storage(said) else 0
-        if said.place_utensil is None and self.reader.tables.foods.is_listed(said.place):
-            return 2 if self._lies_on(lump, said.place) else 1
-        return 3 if _same_place(said.place, lump.where) else 0
-
-    def _lies_on(self, lump: Lump, label: str) -> bool:
-        return any(lump in under.riders for under in self.lumps.get(label, ()) if not under.gone)
+    def _lies_as_told(self, said: Said, lump: Lump) -> bool | None:
+        """Return whether a lump lies on the food that a node names as its place; ``None`` where it names none."""
+        if said.place is None or said.place_utensil is not None or not self.reader.tables.foods.is_listed(said.place):
+            return None
+        return any(lump in under.riders for under in self.lumps.get(said.place, ()) if not under.gone)
 
     def _from_kitchen(self, said: Said, happening: Happening, number: int | None = None) -> Lump:
         """Fetch a food. What is undivided is there as often as it was asked; what is divided may be a rest of it."""
@@ -216,24 +200,34 @@ class Supply:
         if said.label in self.lumps:
             self._again(said, happening)
         lump = self.new_lump(said.label, said.node.states, happening.number, holder, number=number, names=said.names)
-        for part in lump.parts:
-            happening.taken.append(part)
-        if said.undivided and not _in_storage(said) and not lump.parts[0].food.is_a("stock"):
+        happening.taken += lump.parts
+        if said.undivided and not in_storage(said) and not lump.parts[0].food.is_a("stock"):
             self.taken_whole[said.label] = self.taken_whole.get(said.label, 0) + 1
         return lump
 
     def _again(self, said: Said, happening: Happening) -> None:
+        """Tell that a food is fetched of which there is no more: it is in finer pieces now, or all of it was taken."""
         facts = self.reader.tables.foods.food(said.label, said.node.states)
-        if facts.is_a("stock", "water") or _in_storage(said):
+        if facts.is_a("stock", "water") or in_storage(said):
             return
-        finer = [lump for lump in self.lumps[said.label] if not lump.gone and said.fine and lump.fine > said.fine]
-        if finer and len(finer) == sum(not lump.gone for lump in self.lumps[said.label]):
+        if self._is_all_finer(said):
             happening.fault("W1", f"none is so any more: {self._fate(said.label)}", said.node)
         elif said.undivided:
-            if self.taken_whole.get(said.label, 0) >= max(1, self.asked.get(said.label, 1)):
+            if self._are_all_taken(said.label):
                 happening.fault("W1", f"there is no second {said.label}: {self._fate(said.label)}", said.node)
         elif said.place is not None or said.earns:
             happening.fault("W1", f"more of it is used than is left: {self._fate(said.label)}", said.node, minor=True)
+
+    def _is_all_finer(self, said: Said) -> bool:
+        """Whether all that is there of a food is in finer pieces than a node says, where it says any."""
+        left = [lump for lump in self.lumps[said.label] if not lump.gone]
+        if not said.fine or not left:
+            return False
+        return min(lump.fine for lump in left) > said.fine
+
+    def _are_all_taken(self, label: str) -> bool:
+        """Whether as many undivided ones of a food were taken as the kitchen has."""
+        return self.taken_whole.get(label, 0) >= max(1, self.asked.get(label, 1))
 
     def _fate(self, label: str) -> str:
         lump = max(self.lumps[label], key=lambda lump: lump.last)
@@ -246,7 +240,7 @@ class Supply:
             return None
         inside = next((vessel for vessel in happening.vessels if vessel.label == said.place), None)
         beside = any(said.label in vessel.names for vessel in happening.vessels)  # it is scooped in this very step
-        if _carries(said.place_utensil) and (inside is None or not inside.lumps) and not beside:
+        if carries(said.place_utensil) and (inside is None or not inside.lumps) and not beside:
             happening.fault("W2", f"nobody put {said.label} into the {said.place}", said.node)
         return inside or self.fresh(said.place)
 
@@ -307,15 +301,47 @@ class Supply:
             lump.where.lumps.remove(lump)
         lump.where = where
         if where is not None:
-            where.lumps.append(lump)
-            where.had |= lump.names
-            where.held.update([part.name for part in lump.parts])
-            if _carries(where.row):
-                for part in lump.parts:
-                    part.spoonful = True
+            _receive(where, lump)
         for rider in riders:
             if rider.where is not where:
                 self.put(rider, where)
+
+
+def _receive(vessel: Vessel, lump: Lump) -> None:
+    """Let a vessel hold a lump, and remember that it did."""
+    vessel.lumps.append(lump)
+    vessel.had |= lump.names
+    vessel.held.update([part.name for part in lump.parts])
+    if carries(vessel.row):
+        for part in lump.parts:
+            part.spoonful = True
+
+
+def _stands_as_told(vessel: Vessel, said: Said) -> bool:
+    return said.place is None or (vessel.where is not None and vessel.where.label == said.place)
+
+
+def _has_to_be_clean(said: Said) -> bool:
+    """Whether a node speaks of a vessel that is empty, or of a tool: nobody takes up a spoon with something on it."""
+    return said.empty or (said.utensil is not None and said.utensil.role == "tool")
+
+
+def _tell_full(placed: list[Vessel], said: Said, happening: Happening) -> None:
+    """Tell the first of the full vessels on an appliance (W1), which a node says is empty there."""
+    full = next((vessel for vessel in placed if vessel.where and vessel.where.is_appliance), None)
+    if full is not None:
+        happening.fault("W1", f"it holds {_names(full.names)} there, and is said to be empty", said.node)
+
+
+def _why_not(lump: Lump, said: Said) -> str | None:
+    """Return why a lump cannot be what the node with its number says; ``None`` where it can."""
+    if lump.gone:
+        return f"this {said.label} was used up before"
+    if said.place is not None and lump.where is not None and not same_place(said.place, lump.where):
+        return f"it is in the {lump.where.label} and not in the {said.place}"
+    if said.undivided and (lump.fine > 0 or lump.mixed):
+        return f"it is {', '.join(lump.states) or 'mixed'} by now"
+    return None
 
 
 def _has_held(vessel: Vessel, names: frozenset[str]) -> bool:
@@ -330,24 +356,3 @@ def _missing(said: frozenset[str], there: set[str]) -> list[str]:
 
 def _names(names: set[str] | frozenset[str]) -> str:
     return ", ".join(sorted(names))
-
-
-def _is_still(lump: Lump, said: Said) -> bool:
-    """Whether a lump is still as the node says that it came out as."""
-    if lump.gone or lump.states != said.node.states:
-        return False
-    return said.place is None or lump.where is None or said.place_utensil is None or _same_place(said.place, lump.where)
-
-
-def _same_place(label: str, vessel: Vessel) -> bool:
-    """Whether a place is a vessel: annotators write *in pan* of what lies in the cooking pan."""
-    return label in {vessel.label, vessel.label.rpartition(" ")[2]} or vessel.label == label.rpartition(" ")[2]
-
-
-def _carries(utensil: Utensil | None) -> bool:
-    """Whether it is a tool that carries a portion: what is in it was scooped up before."""
-    return utensil is not None and utensil.role == "tool" and "scoop" in utensil.can and "hand" not in utensil.can
-
-
-def _in_storage(said: Said) -> bool:
-    return said.place_utensil is not None and said.place_utensil.keeps_food

@@ -6,7 +6,7 @@ part, or many that were mixed. A *vessel* is whatever holds lumps or other vesse
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from foon_kg.food import Food, Utensil
@@ -141,3 +141,10 @@ class Vessel:
         if burner and burner in self.power:
             return self.power[burner]
         return self.power.get("", False) if burner else any(self.power.values())
+
+    def stack(self) -> Iterator[Vessel]:
+        """Yield it, what it stands in or on or is attached to, what that stands in or on, and so on down."""
+        place: Vessel | None = self
+        while place is not None:
+            yield place
+            place = place.where

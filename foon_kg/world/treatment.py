@@ -34,7 +34,10 @@ _GATHERS = ("mix", "blend", "mash", "knead", "whip", "heat")
 
 
 def apply(supply: Supply, happening: Happening) -> None:
-    """Write down what the step did to its foods."""
+    """Write down what the step of ``happening`` did to its foods, and tell (K4, K7) what it cannot have done.
+
+    ``supply`` has the tables that say what each state claims.
+    """
     happening.treated = _treated(happening)
     earned = _earned(happening.motion.does)
     if earned or happening.does("separate"):
@@ -42,19 +45,11 @@ def apply(supply: Supply, happening: Happening) -> None:
             for part in lump.parts:
                 _treat(part, lump, earned, supply, happening)
     if happening.does("heat", "warm"):
-        happening.heated = power.heated_vessels(happening)
-        happening.in_oven = any(power.stands_in_oven(vessel) for vessel in happening.heated)
-        for vessel in (*happening.vessels, *happening.heated):
-            vessel.hot = True
         _heat(supply, happening)
     elif happening.does("wait", "clean"):
         _cool(happening)
     _join(happening)
-    before = {state for mention in happening.step.inputs for state in mention.node.states}
-    for said in happening.said_out:
-        if said.is_food:
-            fresh = [state for state in said.node.states if state not in before]
-            _claimed(said, fresh, happening.outputs.get(said.node), supply, happening)
+    _judge_claims(supply, happening)
 
 
 @lru_cache(maxsize=1 << 10)
@@ -65,35 +60,53 @@ def _earned(does: frozenset[str]) -> tuple[str, ...]:
 def _treated(happening: Happening) -> list[Lump]:
     """Return what the hands work on: the foods that came out in another form, else those that went in."""
     out = [lump for lump in (*happening.outputs.values(), *happening.made) if not lump.gone]
-    went_in = [lump for lump in happening.inputs if not lump.gone and lump not in out]
-    if not out and not went_in:
-        return [lump for vessel in happening.vessels for lump in vessel.lumps if vessel.row.role == "vessel"]
-    if not happening.does(*_BY_HAND):
-        return [*out, *went_in]
+    named = out + [lump for lump in happening.inputs if not lump.gone and lump not in out]
+    if not named:
+        return _in_vessels(happening)
+    changed = _changed(happening) if happening.does(*_BY_HAND) else []
+    return changed or named
+
+
+def _in_vessels(happening: Happening) -> list[Lump]:
+    """Return what is in the vessels that take part, appliances, tools and packets apart."""
+    return [lump for vessel in happening.vessels if vessel.row.role == "vessel" for lump in vessel.lumps]
+
+
+def _changed(happening: Happening) -> list[Lump]:
+    """Return the foods of those outputs that say something else than each input, and the products."""
     before = {mention.node for mention in happening.step.inputs}
     changed = [lump for node, lump in happening.outputs.items() if node not in before]
-    changed += [lump for lump in happening.made if lump not in changed]
-    return changed or [*out, *went_in]
+    return changed + [lump for lump in happening.made if lump not in changed]
 
 
 def _treat(part: Part, lump: Lump, earned: Sequence[str], supply: Supply, happening: Happening) -> None:
+    """Give a part of a food what the motion earns, and the fineness that it makes."""
     if part.remains:
         return
     for treatment in earned:
         part.done.setdefault(treatment, happening.number)
     part.fine = max(part.fine, *(FINE.get(name, 0) for name in happening.motion.does if name != "cut"), 0)
-    became = supply.reader.tables.foods.food(lump.label, lump.states)
-    comes_off = happening.does("grate") and became.is_a(*word_list("is grated off the whole"))
-    if comes_off or (happening.does("separate") and became.is_a("liquid")):
+    if _is_pressed_out(lump, supply, happening):
         for treatment in GIVES["squeeze"]:
             part.done.setdefault(treatment, happening.number)
     if happening.does("cut"):
-        told = [supply.reader.tables.state(state).fine for state in lump.states]
-        fine = max((one for one in told if one is not None), default=FINE["cut"])
-        if 0 < fine < part.fine and not lump.mixed:
-            reason = f"{part.name} is in finer pieces already"
-            happening.fault("K7", reason, minor=True)
-        part.fine = max(part.fine, fine)
+        _cut(part, lump, supply, happening)
+
+
+def _is_pressed_out(lump: Lump, supply: Supply, happening: Happening) -> bool:
+    """Whether a food came off one that keeps its skin and core: juice that is separated, zest that is grated."""
+    became = supply.reader.tables.foods.food(lump.label, lump.states)
+    comes_off = happening.does("grate") and became.is_a(*word_list("is grated off the whole"))
+    return comes_off or (happening.does("separate") and became.is_a("liquid"))
+
+
+def _cut(part: Part, lump: Lump, supply: Supply, happening: Happening) -> None:
+    """Let a part be as fine as its food is told after a cut; tell it (K7) where it was in finer pieces before."""
+    told = [supply.reader.tables.state(state).fine for state in lump.states]
+    fine = max((one for one in told if one is not None), default=FINE["cut"])
+    if 0 < fine < part.fine and not lump.mixed:
+        happening.fault("K7", f"{part.name} is in finer pieces already", minor=True)
+    part.fine = max(part.fine, fine)
 
 
 def _told_cooked(supply: Supply, happening: Happening) -> bool:
@@ -103,17 +116,32 @@ def _told_cooked(supply: Supply, happening: Happening) -> bool:
 
 
 def _heat(supply: Supply, happening: Happening) -> None:
-    lumps = [lump for vessel in happening.heated for lump in vessel.lumps]
-    lumps += [lump for lump in (*happening.inputs, *happening.outputs.values()) if lump not in lumps and not lump.gone]
-    bath = any(part.food.is_a("cooking liquid") and not part.spoonful for lump in lumps for part in lump.parts)
-    cooked = happening.does("warm") and _told_cooked(supply, happening)
-    for lump in lumps:
-        for part in lump.parts:
-            part.heated = happening.number
-            if happening.does("heat") or cooked:
-                part.done.setdefault("cook", happening.number)
-                if bath and not happening.does("dry"):
-                    part.done.setdefault("boil", happening.number)
+    """Heat the vessels of a step and all that is in them."""
+    happening.heated = power.heated_vessels(happening)
+    happening.in_oven = any(power.stands_in_oven(vessel) for vessel in happening.heated)
+    for vessel in (*happening.vessels, *happening.heated):
+        vessel.hot = True
+    parts = _hot_parts(happening)
+    earned = _earned_by_heat(parts, supply, happening)
+    for part in parts:
+        part.heated = happening.number
+        for treatment in earned:
+            part.done.setdefault(treatment, happening.number)
+
+
+def _earned_by_heat(parts: Sequence[Part], supply: Supply, happening: Happening) -> tuple[str, ...]:
+    """Return which treatments foods earn over heat: all are cooked, and boiled where a liquid is among them."""
+    if not (happening.does("heat") or _told_cooked(supply, happening)):
+        return ()
+    bath = any(part.food.is_a("cooking liquid") and not part.spoonful for part in parts)
+    return ("cook", "boil") if bath and not happening.does("dry") else ("cook",)
+
+
+def _hot_parts(happening: Happening) -> list[Part]:
+    """Return the parts of what is in the heated vessels, and of the foods that the step names."""
+    held = [lump for vessel in happening.heated for lump in vessel.lumps]
+    named = [lump for lump in (*happening.inputs, *happening.outputs.values()) if not lump.gone]
+    return [part for lump in dict.fromkeys([*held, *named]) for part in lump.parts]
 
 
 def _cool(happening: Happening) -> None:
@@ -128,15 +156,24 @@ def _join(happening: Happening) -> None:
     mixes = happening.does("mix", "blend", "knead", "mash", "whip")
     origin = {id(lump): before for lump, before, _ in happening.moved}
     for vessel in _places(happening):
-        parts = [part for lump in vessel.lumps for part in lump.parts]
-        if vessel.row.role == "storage" or all(part.name == parts[0].name for part in parts):
-            continue
-        several = len({id(origin.get(id(lump), vessel)) for lump in vessel.lumps}) > 1
-        for lump in vessel.lumps:
-            _note(lump, happening.number, joins=several and id(lump) in origin, mixes=mixes)
+        if vessel.row.role != "storage" and _holds_several(vessel):
+            several = len({id(origin.get(id(lump), vessel)) for lump in vessel.lumps}) > 1
+            for lump in vessel.lumps:
+                _note(lump, happening.number, joins=several and id(lump) in origin, mixes=mixes)
+    if happening.does(*_GATHERS):
+        _mix_outputs(happening, mixes=mixes or not happening.does("heat"))
+
+
+def _mix_outputs(happening: Happening, *, mixes: bool) -> None:
+    """Note what came out as one food of several: its parts are together, and mixed too where the motion ``mixes``."""
     for lump in happening.outputs.values():
-        if lump.mixed and happening.does(*_GATHERS):
-            _note(lump, happening.number, joins=False, mixes=mixes or not happening.does("heat"))
+        if lump.mixed:
+            _note(lump, happening.number, joins=False, mixes=mixes)
+
+
+def _holds_several(vessel: Vessel) -> bool:
+    """Whether there is more than one food in a vessel."""
+    return len({part.name for lump in vessel.lumps for part in lump.parts}) > 1
 
 
 def _places(happening: Happening) -> list[Vessel]:
@@ -153,37 +190,57 @@ def _note(lump: Lump, number: int, *, joins: bool, mixes: bool) -> None:
             part.mixed = number
 
 
-def _claimed(said: Said, fresh: Sequence[str], lump: Lump | None, supply: Supply, happening: Happening) -> None:
-    """Tell fresh states that this motion cannot give (K4), and that nothing earned (K7)."""
-    if not fresh or lump is None or lump in happening.made:
-        return
-    for state in fresh:
-        row = supply.reader.tables.state(state)
-        if not row.sold and (row.earns or row.fine):
-            _claimed_so(said, state, row, lump, happening)
+def _judge_claims(supply: Supply, happening: Happening) -> None:
+    """Ask of each state that an output says and no input whether this motion gives it."""
+    before = {state for mention in happening.step.inputs for state in mention.node.states}
+    for said in happening.said_out:
+        lump = happening.outputs.get(said.node) if said.is_food else None
+        if lump is None or lump in happening.made:
+            continue
+        for state in said.node.states:
+            row = supply.reader.tables.state(state)
+            if state not in before and _takes_work(row):
+                _claimed_so(said, state, row, lump, happening)
+
+
+def _takes_work(row: State) -> bool:
+    """Whether somebody has to give a food this state: it is the name of a treatment, and no shop sells the food so."""
+    return not row.sold and bool(row.earns or row.fine)
 
 
 def _claimed_so(said: Said, state: str, row: State, lump: Lump, happening: Happening) -> None:
     """Tell one fresh state that the motion cannot give, or that nothing earned; what is advised anyway is counted."""
-    if row.before and not any(one in part.states for part in lump.parts for one in row.before):
+    if not _was_before(lump, row):
         never = " or ".join(sorted(row.before))
         happening.fault("K7", f"it is {state}, and it was never {never}", said.node, minor=True)
-    missing = sorted(row.earns - {"remains"} - set().union(*(part.done for part in lump.parts)))
+    missing = row.earns - {"remains"} - set().union(*(part.done for part in lump.parts))
     if not missing:
-        if happening.motion.known and happening.motion.gives and not _can_give(state, happening):
+        if _cannot_give(state, happening):
             happening.fault("K4", f"“{happening.step.motion}” does not make it {state}", said.node, minor=True)
+    elif row.needs_heat and _is_hot(lump, happening):
         return
-    if row.needs_heat and (happening.does("heat", "warm") or _is_over_heat(lump)):
-        return
-    if not _can_give(state, happening):
+    elif _can_give(state, happening):
+        for part in lump.parts:
+            part.done |= dict.fromkeys(sorted(ADVISED & missing), happening.number)
+    else:
         happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
-        return
-    for part in lump.parts:
-        part.done |= dict.fromkeys(ADVISED.intersection(missing), happening.number)
 
 
-def _is_over_heat(lump: Lump) -> bool:
+def _cannot_give(state: str, happening: Happening) -> bool:
+    """Whether it is known what a motion gives, and this state is not of it."""
+    return happening.motion.known and bool(happening.motion.gives) and not _can_give(state, happening)
+
+
+def _was_before(lump: Lump, row: State) -> bool:
+    """Whether a food was in a state in which it has to be before this one; most states ask for none."""
+    return not row.before or any(not row.before.isdisjoint(part.states) for part in lump.parts)
+
+
+def _is_hot(lump: Lump, happening: Happening) -> bool:
+    """Whether a step heats, or a food is in a hot vessel on a source of heat."""
     place = lump.where
+    if happening.does("heat", "warm"):
+        return True
     return place is not None and place.where is not None and place.where.row.source == "heat" and place.hot
 
 

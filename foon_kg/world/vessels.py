@@ -43,6 +43,7 @@ def _surest_first(out: Outcome, place: int) -> tuple[int, NodeSortKey]:
 
 
 def _matching(out: Outcome, mention: Mention, one: Said, free: Sequence[Vessel]) -> Vessel | None:
+    """Return which of the ``free`` input vessels an output is; a number says it, else name and contents."""
     if mention.thing is not None:
         vessel = out.supply.numbered_vessels.get(mention.thing)
         if vessel is not None and vessel.label != one.label:
@@ -51,15 +52,21 @@ def _matching(out: Outcome, mention: Mention, one: Said, free: Sequence[Vessel])
     alike = [vessel for vessel in free if vessel.label == one.label]
     if not alike:
         return None
-    if one.empty:
-        return min(alike, key=lambda v: (len(v.lumps) > 0 and _others_filled(out, one, alike), v.last))
+    return _emptied(out, one, alike) if one.empty else _filled(out, one, alike)
+
+
+def _emptied(out: Outcome, one: Said, alike: Sequence[Vessel]) -> Vessel:
+    """Return which of several vessels of one name is told empty: a clean one, where another of them is told filled."""
+    filled = len(alike) > 1 and any(other.names for other in out.said if other.label == one.label)
+    return min(alike, key=lambda vessel: (bool(vessel.lumps) and filled, vessel.last))
+
+
+def _filled(out: Outcome, one: Said, alike: Sequence[Vessel]) -> Vessel:
+    """Return which of several vessels of one name is told to hold something: not that out of which it was poured."""
     sources = {id(lump.where) for lump in out.happening.inputs if lump.where is not None}
     poured = out.happening.does("move") and any(id(vessel) not in sources for vessel in alike)
-    return max(alike, key=lambda v: (not (poured and id(v) in sources), len(one.names & v.names), v.last))
-
-
-def _others_filled(out: Outcome, one: Said, alike: Sequence[Vessel]) -> bool:
-    return len(alike) > 1 and any(other.names for other in out.said if other.label == one.label)
+    left = sources if poured else set()
+    return max(alike, key=lambda vessel: (id(vessel) not in left, len(one.names & vessel.names), vessel.last))
 
 
 def _appearing(out: Outcome, mention: Mention, one: Said) -> Vessel | None:
@@ -79,13 +86,17 @@ def _stand(out: Outcome, vessel: Vessel, one: Said, node: ObjectNode) -> None:
     if one.place_utensil is not None and one.place is not None:
         if vessel.where is None or vessel.where.label != one.place:
             out.supply.stand(vessel, _holder(out, one.place, one.place_utensil))
-        if node not in {mention.node for mention in out.happening.step.inputs}:
+        if _is_new(out, node):
             out.happening.vessels_moved = True
     elif _is_taken_away(out, vessel, one):
         vessel.where = None
         out.happening.vessels_moved = True
-    if vessel.row.role == "wrap":
-        return
+    if vessel.row.role != "wrap":
+        _close(out, vessel, one)
+
+
+def _close(out: Outcome, vessel: Vessel, one: Said) -> None:
+    """Close or open a vessel as its node and the motion say, and the one over which a lid is told."""
     if one.covered:
         vessel.covered = True
     elif out.happening.does("uncover", "open", "detach", "attach"):
@@ -94,11 +105,16 @@ def _stand(out: Outcome, vessel: Vessel, one: Said, node: ObjectNode) -> None:
         _cover(out, one.covers)
 
 
+def _is_new(out: Outcome, node: ObjectNode) -> bool:
+    """Whether an output node says something else than each input node."""
+    return node not in {mention.node for mention in out.happening.step.inputs}
+
+
 def _is_taken_away(out: Outcome, vessel: Vessel, one: Said) -> bool:
     """Whether a step takes a vessel off what it stood on: it moves things, and tells the vessel without a place."""
     if vessel.where is None or vessel.is_appliance or not out.happening.does("detach", "move", "fetch"):
         return False
-    return one.node not in {mention.node for mention in out.happening.step.inputs}
+    return _is_new(out, one.node)
 
 
 def _cover(out: Outcome, label: str) -> None:

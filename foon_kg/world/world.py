@@ -57,21 +57,21 @@ class World:
     def _take_vessels(self, mentions: Sequence[Mention], said: Sequence[Said], happening: Happening) -> None:
         """Find the vessels that go in: those that say most first, so that the order of the inputs decides nothing."""
         places = [place for place, one in enumerate(said) if one.utensil is not None]
-        found: dict[int, Vessel] = {}
         ordered = places
         if len(places) > 1:
             ordered = sorted(places, key=lambda place: (-len(said[place].names), mentions[place].node.sort_key))
-        for place in ordered:
-            one = said[place]
-            vessel = self.supply.vessel(mentions[place], one, happening)
-            vessel.last = happening.number
-            happening.vessels.append(vessel)
-            found[place] = vessel
-            if one.place_utensil is not None and (vessel.where is None or vessel.where.label != one.place):
-                self.supply.stand(vessel, self.supply.holder(str(one.place)))
+        found = {place: self._take_vessel(mentions[place], said[place], happening) for place in ordered}
         happening.vessels = [found[place] for place in places]
-        tools = [place for place in places if found[place].row.role in {"tool", "lid"}]
-        happening.tools = [mentions[place].node for place in tools]
+        happening.tools = [mentions[place].node for place in places if found[place].row.role in {"tool", "lid"}]
+
+    def _take_vessel(self, mention: Mention, said: Said, happening: Happening) -> Vessel:
+        """Return the vessel that goes in as a mention says, standing where its node says."""
+        vessel = self.supply.vessel(mention, said, happening)
+        vessel.last = happening.number
+        happening.vessels.append(vessel)
+        if said.place_utensil is not None and (vessel.where is None or vessel.where.label != said.place):
+            self.supply.stand(vessel, self.supply.holder(str(said.place)))
+        return vessel
 
     def _take_foods(self, mentions: Sequence[Mention], said: Sequence[Said], happening: Happening) -> None:
         for mention, one in zip(mentions, said, strict=True):
