@@ -11,8 +11,9 @@ from foon_kg.integration.joining.course import HEATS, MIXES
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.cooling import Cooling
-from foon_kg.integration.making.precooking import POWDER, Precooking
-from foon_kg.integration.preparing.preparation import Ready, Want, owed
+from foon_kg.integration.making.outcome import says_raw
+from foon_kg.integration.making.precooking import Precooking
+from foon_kg.integration.preparing.preparation import POWDER, Ready, Want, owed
 from foon_kg.integration.teaching.frames import Stage
 from foon_kg.integration.teaching.operators import Attested, Way, form_of
 
@@ -250,11 +251,6 @@ class Alone:
         """Whether it is fat that does not run yet."""
         solid = form_of(self.known, stuff.label, stuff.states) != "liquid"
         return solid and self.known.foods.food(stuff.label).is_a("fat")
-
-
-def says_raw(state: str, known: Tables) -> bool:
-    """Whether a state says that a food is as yet uncooked, or in one piece as it was bought."""
-    return known.state(state).half or not {"raw", "uncooked", "frozen"}.isdisjoint(state.split())
 
 
 def _joins_as(join: Join) -> tuple[str, ...]:

@@ -12,14 +12,15 @@ from dataclasses import replace
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel
 from foon_kg.integration.composing.crowned import crowned
 from foon_kg.integration.joining.course import COATS, HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.phases import in_phases
 from foon_kg.integration.joining.spots import Join
-from foon_kg.integration.making.alone import Alone, says_raw
+from foon_kg.integration.making.alone import Alone
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.dipping import Dipping
+from foon_kg.integration.making.outcome import says_raw
 from foon_kg.integration.making.placing import Placing
 from foon_kg.integration.making.precooking import Precooking
 from foon_kg.integration.making.serving import Serving
@@ -214,7 +215,7 @@ class Cooking:
                 oven = ""
             self._boil_now(stage, vessel, subs, later, late)
             if vessel is not None and stage.motion in word_list("strains"):
-                vessel = self.work.strained(vessel)
+                vessel = self.work.taking_out.strained(vessel)
             else:
                 vessel = self._stage(stage, vessel, subs, later, main=main)
         if vessel is not None:
@@ -321,11 +322,11 @@ class Cooking:
         if not hot or any(not one.does.isdisjoint(HEATS) for one in later):
             return vessel
         inside = {number for stuff in vessel.contents for number in stuff.wants}
-        if any(self.work.is_taken_out(join.want) for join in self.plan.joins if join.want.number in inside):
+        if any(self.work.taking_out.is_taken_out(join.want) for join in self.plan.joins if join.want.number in inside):
             self.bench.heat_off(vessel)
             if len(vessel.contents) > 1:
-                self.work.name(vessel, self.plan.label if main else self.work.label(stage, vessel) or _MIXTURE)
-            return self.work.take_out(vessel)
+                self.work.name(vessel, self.plan.label if main else self.work.outcome.label(stage, vessel) or _MIXTURE)
+            return self.work.taking_out.take_out(vessel)
         return vessel
 
     def _add_all(
@@ -357,10 +358,9 @@ class Cooking:
                 self.work.toss(vessel)
                 continue
             if merge and self.work.lies_unmixed(vessel) and not on_top and not self.stages.lays(stage, joins, later):
-                attested = self.work.stirring(foods_of(vessel))
-                self.bench.work(vessel, attested, self.plan.label, self.work.kept_states(vessel), with_device=False)
+                self.work.stir(vessel, self.plan.label, self.work.outcome.kept_states(vessel))
             elif merge and (main or len(vessel.contents) > 1):
-                self.work.name(vessel, self.plan.label if main else self.work.label(stage, vessel))
+                self.work.name(vessel, self.plan.label if main else self.work.outcome.label(stage, vessel))
 
     def _add(self, stage: Stage, vessel: Vessel, one: Join | Vessel, *, on_stove: bool) -> None:
         """Bring a food, or what is in another vessel, into a vessel."""
@@ -394,13 +394,13 @@ class Cooking:
             return
         if device and (vessel.device is None or vessel.device.label != device):
             if "dry" in stage.does:
-                self.work.let_rise_again(vessel)
+                self.work.rising.let_rise_again(vessel)
             self.placing.into_device(vessel, device, relation)
         if vessel.device is not None and not self.bench.is_running(vessel) and vessel.device.label == device:
             self.placing.heat_on(vessel)
         if "turn" in stage.does:
             self.work.cook_first_side(vessel)
-        attested = self.work.way(stage, vessel)
+        attested = self.work.ways.way(stage, vessel)
         if attested is None:
             return
         self._work(stage, vessel, attested, later, with_device=bool(device), main=main)
@@ -414,12 +414,12 @@ class Cooking:
         heats = not stage.does.isdisjoint(HEATS)
         # what is only browned at last, by no video's step, is done before
         finished = not any(not one.does.isdisjoint(HEATS) for one in later if one.step >= 0)
-        label = self.work.label(stage, vessel, last=main and not self.stages.is_worked_later(later), main=main)
-        label = label or (self.work.coated(vessel) if stage.does >= COATS else "")
+        label = self.work.outcome.label(stage, vessel, last=main and not self.stages.is_worked_later(later), main=main)
+        label = label or (self.work.outcome.coated(vessel) if stage.does >= COATS else "")
         fried = self.stages.fried(vessel) if heats and finished and not label else None
         label = label if fried is None else fried.label
         product = (bool(label) or (mixes and not heats)) and not self.stages.is_drained_next(vessel, later)
-        states = self.work.states(stage, vessel, attested.way, product=product, finished=finished)
+        states = self.work.outcome.states(stage, vessel, attested.way, product=product, finished=finished)
         if fried is not None:
             states = tuple(sorted({*states, *(s for s in fried.states if not says_raw(s, self.known))}))
         if product and [(stuff.label, stuff.states) for stuff in vessel.contents] == [(label or "mixture", states)]:
@@ -427,18 +427,18 @@ class Cooking:
         if product:
             self.bench.work(vessel, attested, label or "mixture", states, with_device=with_device)
             if mixes and not heats and not any(one.does & MIXES and self.course.stage_alive(one) for one in later):
-                self.work.let_rise(vessel, [stage, *later])
+                self.work.rising.let_rise(vessel, [stage, *later])
         else:
             self.work.work_each(vessel, attested, states, with_device=with_device)
 
     def _by_hand_device(self, stage: Stage, vessel: Vessel, device: str, later: Sequence[Stage], *, main: bool) -> None:
         """Work with an appliance that is held in the hand."""
-        attested = self.work.way(stage, vessel)
+        attested = self.work.ways.way(stage, vessel)
         if attested is None:
             return
         machine = self.bench.device(device)
         self.bench.switch(None, machine, on=True)
-        label = self.work.label(stage, vessel, last=main and not self.stages.is_worked_later(later), main=main)
-        states = self.work.states(stage, vessel, attested.way, product=True, finished=False)
+        label = self.work.outcome.label(stage, vessel, last=main and not self.stages.is_worked_later(later), main=main)
+        states = self.work.outcome.states(stage, vessel, attested.way, product=True, finished=False)
         self.bench.work(vessel, attested, label or "mixture", states, extra=machine)
         self.bench.switch(None, machine, on=False)

@@ -11,12 +11,12 @@ from foon_kg.integration.bench import Bench, Stuff, Thing, Vessel, foods_of, is_
 from foon_kg.integration.joining.course import COATS
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.carrying import Carrier
+from foon_kg.integration.making.outcome import MIXTURE
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import Stage
 
 _COATS = word_list("coats dry") | word_list("coats wet") | word_list("clings to what is coated")
-_MIXED, _MIXTURE = "mixed", "mixture"
 
 _Thing = TypeVar("_Thing", Join, Vessel)
 
@@ -70,8 +70,7 @@ class Dipping:
         for join in joins:
             self.carry.bring(self.ready[join.want.number], bowl, join.slot)
         if len(bowl.contents) > 1 or any(map(self._is_unbeaten, bowl.contents)):
-            foods = foods_of(bowl)
-            self.bench.work(bowl, self.work.stirring(foods), self._called(foods), (_MIXED,), with_device=False)
+            self.work.stir(bowl, self._called(foods_of(bowl)))
         return bowl
 
     def _called(self, foods: Sequence[str]) -> str:
@@ -81,7 +80,7 @@ class Dipping:
             return min(word_list("is called so when it is fine"))
         if all(one.is_a(*word_list("runs out of its shell"), *word_list("only flavours")) for one in facts):
             return min(word_list("is called so when it is beaten"))
-        return _MIXTURE
+        return MIXTURE
 
     def _is_unbeaten(self, stuff: Stuff) -> bool:
         """Whether it ran out of its shell, and nobody stirred it."""

@@ -170,7 +170,7 @@ class Placing:
         row = self.known.utensil(oven)
         if row is None or row.source != "heat" or oven in self.bench.devices:
             return False
-        if self.work.rises([join.want.label for join in self.plan.joins]):
+        if self.work.rising.rises([join.want.label for join in self.plan.joins]):
             return False
         before = list(itertools.takewhile(lambda stage: self.utensils.device_for(stage)[0] != oven, stages))
         return not any("wait" in stage.does for stage in before[:-1])

@@ -13,13 +13,10 @@ from foon_kg.integration.bench import Bench
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.course import HEATS, Course
 from foon_kg.integration.joining.spots import Join, Spot
-from foon_kg.integration.preparing.preparation import Want, owed
+from foon_kg.integration.preparing.preparation import POWDER, Want, owed
 from foon_kg.integration.preparing.preparer import Preparer
 from foon_kg.integration.teaching.frames import Phase, Stage
 from foon_kg.integration.teaching.operators import Nearness, Way, form_of
-
-POWDER = 5
-"""How fine a powder is."""
 
 _MUCH_ALIKE = 0.8
 _IN_WATER, _IN_A_PAN = ("boil",), ("cook",)

@@ -15,7 +15,6 @@ from foon_kg.integration.making.stages import Stages
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import Stage
-from foon_kg.integration.teaching.operators import Way
 
 _SLICES = word_list("carries what is stacked")
 _CREAMY = word_list("binds pieces")
@@ -80,7 +79,7 @@ class Serving:
         for join in mixed:
             self._bring(join, bowl)
         if len(mixed) > 1:
-            self.bench.work(bowl, self.work.stirring(foods_of(bowl)), _MIXED, ("mixed",), with_device=False)
+            self.work.stir(bowl, _MIXED)
         return mixed
 
     def _lay_on(self, plate: Vessel, joins: Sequence[Join]) -> None:
@@ -142,9 +141,8 @@ class Serving:
         self.work.heat_fat(pan)
         self.carry.transfer(plate, pan, stage, whole=True)
         foods = foods_of(pan)
-        heats = [way for way in self.bench.operators.ways.get("heat", ()) if self._only(way, {"heat"})]
-        turns = [way for way in self.bench.operators.ways.get("turn", ()) if self._only(way, {"turn"})]
-        heated, turned = self.bench.require(heats, foods), self.bench.require(turns, foods)
+        heated = self.bench.require(self.work.ways.cooking(), foods)
+        turned = self.bench.require(self.work.ways.turning(), foods)
         self.bench.work(pan, heated, self.plan.label, ("partly cooked",))
         self.bench.work(pan, turned, self.plan.label, ("flipped", "partly cooked"), with_device=False)
         self.bench.work(pan, heated, self.plan.label, ("cooked",))
@@ -152,11 +150,6 @@ class Serving:
         served = self.bench.vessel("plate")
         self.carry.transfer(pan, served, stage, whole=True)
         return served
-
-    def _only(self, way: Way, does: set[str]) -> bool:
-        """Whether a way does just this, and what is worked on gets so by it that it may be eaten."""
-        motion = self.known.motion(way[0])
-        return motion.does == does and (does != {"heat"} or "cooked" in motion.gives)
 
     def _bound(self, joins: Sequence[Join]) -> list[Join]:
         """Return what is mixed to be spread: small pieces with something creamy, and what seasons them."""
@@ -177,7 +170,7 @@ class Serving:
         for join in found:
             self._bring(join, bowls[0])
         if found:
-            self.bench.work(bowls[0], self.work.stirring(foods_of(bowls[0])), _MIXED, ("mixed",), with_device=False)
+            self.work.stir(bowls[0], _MIXED)
         return found
 
     def _is_small(self, join: Join) -> bool:
@@ -187,7 +180,7 @@ class Serving:
 
     def dress(self, vessel: Vessel) -> None:
         """Mix what came to a dish that was done."""
-        self.bench.work(vessel, self.work.stirring(foods_of(vessel)), self.plan.label, ("mixed",), with_device=False)
+        self.work.stir(vessel, self.plan.label)
 
     def _bring(self, join: Join, vessel: Vessel) -> None:
         self.carry.bring(self.ready[join.want.number], vessel, None)
@@ -219,7 +212,7 @@ class Serving:
     def shaped(self, stage: Stage, vessel: Vessel, label: str) -> Vessel:
         """Shape a mass to portions called ``label`` and return the plate on which they lie."""
         plate, (mass,) = self.bench.vessel("plate"), vessel.contents
-        attested = self.work.way(stage, vessel)
+        attested = self.work.ways.way(stage, vessel)
         if attested is None:
             return vessel
         whole = Stuff(label, self.bench.number(), (_SHAPED,), mass.foods, mass.wants, plate, mixed=True)

@@ -10,10 +10,9 @@ from foon_kg.integration.bench import Bench, Vessel, foods_of
 from foon_kg.integration.joining.course import Plan
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.carrying import Carrier
+from foon_kg.integration.making.outcome import MIXTURE
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
-
-_MIXTURE = "mixture"
 
 
 class Smoothing:
@@ -35,7 +34,7 @@ class Smoothing:
         bowl = self.bench.vessel("bowl")
         self.carry.bring(self.ready[join.want.number], bowl, None)
         self.carry.water.add(bowl)
-        self.bench.work(bowl, self.work.stirring(foods_of(bowl)), _MIXTURE, ("mixed",), with_device=False)
+        self.work.stir(bowl, MIXTURE)
         return bowl
 
     def _makes_lumps(self, join: Join, vessel: Vessel) -> bool:

@@ -1,0 +1,123 @@
+"""What only gives its taste is taken out: lifted out of the dish, or left in a strainer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from foon_kg.food import Tables, words
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Bench, Stuff, Vessel, fineness, foods_of
+from foon_kg.integration.joining.course import Plan
+from foon_kg.integration.preparing.preparation import POWDER, Want
+from foon_kg.integration.teaching.operators import Attested, Way
+
+_LEAST = 2
+"""Of as many foods is something of which one can be taken out."""
+
+
+class TakingOut:
+    """Takes foods out of one dish on a bench."""
+
+    def __init__(self, bench: Bench, plan: Plan) -> None:
+        self.bench = bench
+        self.known: Tables = bench.known
+        self.plan = plan
+
+    def is_taken_out(self, want: Want) -> bool:
+        """Whether a food only gives its taste, and nobody eats or drinks it."""
+        if want.facts.is_a(*word_list("is taken out of the dish")):
+            return True
+        powder = bool(want.make) and fineness([want.make], self.known) >= POWDER  # nothing of it stays in a strainer
+        return self.plan.drunk and not powder and want.facts.is_a(*word_list("is taken out of what is drunk"))
+
+    def take_out(self, vessel: Vessel) -> Vessel:
+        """Take out of what was cooked in a liquid what only gave it its taste, where the FOON shows how.
+
+        Return what the rest is in then: what is drunk is poured through a strainer.
+        """
+        wants = self._inside(vessel, self.is_taken_out)
+        loose = any(not want.facts.is_a(*word_list("is taken out of the dish")) for want in wants)
+        if self.plan.drunk and loose and len(vessel.contents) == 1:  # a bag or a stick is lifted out
+            return self._strain(vessel, wants)
+        ways = [way for way in self.bench.ways_by(word_list("takes out")) if self._lifts(way)]
+        for whole in list(vessel.contents):
+            lifted = self._liftable(whole, wants)
+            attested = self.bench.near_or_far(ways, lifted[0].names) if lifted else None
+            if attested is not None:
+                self._lift(vessel, whole, lifted, attested)
+        return vessel
+
+    def strained(self, vessel: Vessel) -> Vessel:
+        """Pour what was blended through a strainer, in which stays what does not run; return what the rest is in."""
+        wants = self._inside(vessel, lambda want: want.facts.is_a(*word_list("stays in a strainer")))
+        return self._strain(vessel, wants) if wants and len(vessel.contents) == 1 else vessel
+
+    def _inside(self, vessel: Vessel, is_such: Callable[[Want], bool]) -> list[Want]:
+        """Return the asked foods of a kind that are in a vessel."""
+        inside = {number for stuff in vessel.contents for number in stuff.wants}
+        return [join.want for join in self.plan.joins if join.want.number in inside and is_such(join.want)]
+
+    # --- lifted out ---
+
+    def _lifts(self, way: Way) -> bool:
+        """Whether a way is done with a tool that lifts."""
+        rows = map(self.known.utensil, way[1])
+        return any(row is not None and "lift" in row.can for row in rows)
+
+    def _liftable(self, whole: Stuff, wants: Sequence[Want]) -> list[Want]:
+        """Return of some foods those that are in one piece in a mixture, which is more than one food without them."""
+        lifted = [want for want in wants if want.number in whole.wants and self._is_in_one_piece(want)]
+        return lifted[: max(0, len(whole.wants) - _LEAST + 1)]
+
+    def _is_in_one_piece(self, want: Want) -> bool:
+        """Whether a food is still in one piece that can be lifted out: no chopped herb, nor leaves off their stem."""
+        states = [state for state in (want.make, want.then, *want.leaf) if state]
+        plucked = word_list("is plucked off its stem")
+        if want.facts.is_a(*word_list("is a leaf by itself")):
+            states = [state for state in states if state not in plucked]
+        elif not plucked.isdisjoint(words(want.label)):
+            return False
+        return plucked.isdisjoint(states) and fineness(states, self.known) == 0
+
+    def _lift(self, vessel: Vessel, whole: Stuff, wants: Sequence[Want], attested: Attested) -> None:
+        """Lift foods out of a mixture onto a plate."""
+        plate = self.bench.vessel("plate")
+        parts = self._parts(wants, ("cooked",), plate)
+
+        def change() -> None:
+            _forget(whole, wants)
+            plate.contents += parts
+
+        self.bench.emit(attested, [vessel, whole, plate], change, [vessel, whole, plate, *parts])
+
+    # --- strained ---
+
+    def _strain(self, vessel: Vessel, wants: Sequence[Want]) -> Vessel:
+        """Pour what is drunk through a strainer, in which stays what gave its taste; return what the rest is in."""
+        attested = self.bench.near_or_far(self.bench.ways_by(word_list("strains")), foods_of(vessel))
+        if attested is None:
+            return vessel
+        strainer, jug = self.bench.vessel("strainer"), self.bench.vessel("pitcher")
+        (whole,) = vessel.contents
+        whole_states = tuple(state for state in whole.states if state in {"blended", "cooked"})
+        left = self._parts(wants, whole_states, strainer)
+
+        def change() -> None:
+            _forget(whole, wants)
+            strainer.contents += left
+            vessel.contents.clear()
+            jug.contents.append(whole)
+            whole.at = jug
+
+        self.bench.emit(attested, [vessel, whole, strainer, jug], change, [jug, whole, strainer, *left, vessel])
+        return jug
+
+    def _parts(self, wants: Sequence[Want], states: tuple[str, ...], place: Vessel) -> list[Stuff]:
+        """Return the foods that come out of a mixture into ``place``; nobody asks for them any more."""
+        return [Stuff(want.label, self.bench.number(), states, (want.label,), frozenset(), place) for want in wants]
+
+
+def _forget(whole: Stuff, wants: Sequence[Want]) -> None:
+    """Have a mixture without some foods."""
+    whole.foods = tuple(food for food in whole.foods if food not in {want.label for want in wants})
+    whole.wants -= {want.number for want in wants}
