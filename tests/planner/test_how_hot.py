@@ -52,3 +52,17 @@ def test_flour_measured_by_its_video_is_stirred_into_the_fat_before_the_liquid_c
         "half and half:liquid", "chive:minced",
     )  # fmt: skip
     assert first(told, "flour", "cook and stir") < next(n for n, one in enumerate(told) if one[0] >= {"water", "pot"})
+
+
+@pytest.mark.parametrize("fat", ["butter:stick", "margarine:creamy", "butter:melted"])
+def test_what_greases_a_tin_lay_out_of_the_refrigerator(public_plans, fat):
+    units = public_plans("cake", "Plain Cake", "flour:ground", "egg:whole", "sugar:ground", "milk:liquid", fat).units
+    spread = next(unit for unit in units if unit.motion == "spread")
+    assert {"softened"} == {state for n in spread.input_nodes if n.label in fat for state in n.states}
+
+
+def test_what_cooks_is_stirred_with_a_tool(public_plans):
+    foods = "rice:grain", "oil:liquid", "shallot:chopped", "garlic:chopped", "cream:liquid", "turmeric:ground"
+    stirred = [unit for unit in public_plans("rice", "", *foods).units if unit.motion == "cook and stir"]
+    assert stirred
+    assert all({"spoon", "spatula", "turner"} & {node.label for node in unit.input_nodes} for unit in stirred)

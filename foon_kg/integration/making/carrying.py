@@ -43,6 +43,8 @@ class Carrier:
             self.bench.bring([stuff], jug, self.bringing.way(Errand.of(ready, jug, slot)))
         attested = self._with_spoon(self.bringing.way(Errand.of(ready, vessel, slot)))
         motion = attested.way[0]
+        if motion in word_list("is smeared by"):
+            self._soften(stuff)
         smears = motion in word_list("greases") and form_of(self.known, stuff.label, stuff.states) == "soft"
         comes = [stuff, *self._clinging(stuff, source)] if motion in {"pour", "drip"} else [stuff]
         self.bench.bring(comes, vessel, attested, onto=list(vessel.contents) if smears else ())
@@ -91,7 +93,15 @@ class Carrier:
         if attested is None:
             self.bring(Ready(fat, stuff), tin, None)
         else:
+            self._soften(stuff)
             self.bench.bring([stuff], tin, attested)
+
+    @staticmethod
+    def _soften(stuff: Stuff) -> None:
+        """Let fat that is spread have lain out of the refrigerator: nobody spreads it as hard as it is there."""
+        fresh = stuff.at is not None and bool(stuff.at.storage)
+        if fresh and not word_list("is hard in the refrigerator").isdisjoint(stuff.states):
+            stuff.states = tuple(word_list("is soft so"))
 
     # --- all that is in a vessel ---
 

@@ -39,8 +39,8 @@ class Ways:
         return self.bench.require([way for way in self._doing({"mix"}, "mix") if way[1]], foods)
 
     def stirring_hot(self, foods: Sequence[str]) -> Attested:
-        """Return the likeliest way to cook foods while they are mixed."""
-        return self.bench.require(self._doing({"heat", "mix"}, "heat"), foods)
+        """Return the likeliest way to cook foods while they are mixed with a tool: no bare hand does that."""
+        return self.bench.require([way for way in self._doing({"heat", "mix"}, "heat") if way[1]], foods)
 
     def cooking(self) -> list[Way]:
         """Return the ways that do nothing but heat, and after which food may be eaten."""
