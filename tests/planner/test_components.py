@@ -302,3 +302,35 @@ def test_crumbs_on_sweet_noodles_are_mixed_with_fat_and_baked_on_them(steps):
     (mixed,) = [inputs for inputs, one, _ in told if one == "mix" and "corn" in inputs]
     assert {"corn", "margarine", "brown sugar"} <= mixed
     assert "noodle" in inside(told, "bake")
+
+
+def test_cubes_of_bread_and_the_oil_behind_them_are_croutons_and_the_second_oil_is_the_dressing(steps):
+    asked = ("spinach:leaves", "bread:cubed", "oil:liquid", "garlic:minced", "oil:liquid", "vinegar:liquid")
+    told = steps("salad", "", *asked)
+    assert inside(told, "flip") == {"bread", "oil", "garlic"}
+    dressed = next(out for _, one, out in told if one == "mix" and "vinegar" in out[0].ingredients)
+    assert set(dressed[0].ingredients) == {"oil", "vinegar"}
+
+
+def test_nuts_of_a_salad_are_browned_in_the_butter_listed_beside_them(steps):
+    nuts = ("butter:softened", "sugar:ground", "walnut:chopped")
+    told = steps("salad", "", *nuts, "vinegar:liquid", "oil:liquid", "mixed green:leaves")
+    assert inside(told, "cook and stir") == {"butter", "sugar", "walnut"}
+    assert not any("butter" in foods and "mustard" in foods for foods, _, _ in told)
+
+
+@pytest.mark.parametrize(("dish_type", "title"), [("rice", ""), ("noodle", "")])
+def test_crumbs_on_what_comes_out_of_a_pot_are_browned_first(steps, dish_type, title):
+    asked = ("rice:uncooked" if dish_type == "rice" else "spaghetti:uncooked", "oil:liquid", "onion:chopped")
+    told = steps(dish_type, title, *asked, "stock:liquid", "breadcrumb:crumbs")
+    (browned,) = [out for foods, one, out in told if one == "cook and stir" and "breadcrumb" in foods]
+    assert set(browned[0].ingredients) <= {"breadcrumb", "oil"}
+    assert "breadcrumb" in told[-1][0]
+
+
+def test_egg_of_a_sweet_sauce_is_whisked_in_while_it_is_cold(steps):
+    pudding = ("bread:whole", "milk:liquid", "egg:uncooked", "sugar:ground", "butter:creamy")
+    told = steps("bread", "", *pudding, "butter:creamy", "sugar:ground", "egg yolk:uncooked", "whisky:liquid")
+    (whisked,) = [place for place, (foods, one, _) in enumerate(told) if one == "whisk" and "egg yolk" in foods]
+    assert whisked < motions(told).index("cook and stir")
+    assert inside(told, "cook and stir") == {"butter", "sugar", "egg yolk", "whisky"}

@@ -27,7 +27,7 @@ def test_pierogi_are_closed_around_mash_and_boiled_in_water_that_boils(steps):
 def test_milk_soaks_a_cake_that_is_baked(steps):
     told = steps("cake", "Tres Leches Cake", "flour:powder", "eggs:uncooked", "sugar:granulated", "milk:liquid",
                  "evaporated milk:liquid", "condensed milk:thick liquid", "whipping cream:creamy")  # fmt: skip
-    assert first(told, "evaporated milk", "stir") < motions(told).index("bake")
+    assert first(told, "evaporated milk", "stir") > motions(told).index("bake")  # made when the cake is done
     assert motions(told).index("bake") < motions(told).index("chill")
     assert not [motion for inputs, motion, _ in told if motion == "stir" and "cake" in inputs]
 
@@ -239,3 +239,19 @@ def test_what_is_sold_free_comes_in_a_package_where_it_is_loose(steps):
     told = steps("soup", "", "mushrooms:crumbs", "stock:liquid", "spinach:creamy")
     assert any({"mushrooms", "packet"} <= inputs for inputs, _, _ in told)
     assert any({"spinach", "container"} <= inputs for inputs, _, _ in told)
+
+
+def test_bread_with_eggs_and_milk_is_baked_in_their_custard_whatever_it_is_filed_under(steps):
+    told = steps("bread", "", "bread:whole", "egg:uncooked", "milk:liquid", "sugar:granulated", "raisin:dried")
+    assert {"bread", "egg", "milk"} <= inside(told, "fold")
+    assert {"bread", "egg", "milk"} <= inside(told, "bake")
+    strata = steps("omelette", "", "bread:sliced", "ham:diced", "egg:uncooked", "milk:liquid", "onion:chopped")
+    assert "bread" not in inside(strata, "whisk")  # the slices lie in the dish, and the eggs come over them
+    assert {"bread", "ham", "egg", "onion"} <= inside(strata, "bake")
+
+
+def test_bread_with_tomatoes_and_vinegar_is_a_salad(steps):
+    asked = ("bread:whole", "tomato:chopped", "onion:sliced", "oil:liquid", "vinegar:liquid", "basil:leaves")
+    told = steps("bread", "", *asked)
+    assert inside(told, "bake") == {"bread"}
+    assert motions(told).index("bake") < first(told, "tomato", "mix")

@@ -174,11 +174,14 @@ class _Finder:
         return found
 
     def _with_neighbours(self, places: set[int], component: Component, around: Around) -> set[int]:
-        """Return places with those after them, and before them if need be, of foods that belong to the same."""
+        """Return places with those after them, and before them if need be, of foods that belong to the same.
+
+        What is there already, listed again after another food, begins something else.
+        """
         found, needs = set(places), component.technique.needs
         for start in sorted(places):
             place = start + 1
-            while self._belongs(place, component, around):
+            while self._belongs(place, component, around) and not self._is_again(place, found):
                 found.add(place)
                 place += 1
         place = min(found) - 1
@@ -189,6 +192,11 @@ class _Finder:
             found.add(place)
             place -= 1
         return found
+
+    def _is_again(self, place: int, found: Collection[int]) -> bool:
+        """Whether what is listed at a place was found before, and not only right before it."""
+        label = singular(self.listed[place].label)
+        return label in {singular(self.listed[one].label) for one in found if one < place - 1}
 
     def _belongs(self, place: int, component: Component, around: Around) -> bool:
         want = self.listed.get(place)
