@@ -97,7 +97,7 @@ class Clauses:
         plain = plain_speech(clause[match.end() :] if (match := _FIRST.match(clause)) else clause).strip(" .,!?:")
         plain = _KEPT.sub(self._as_done, plain)
         first = _BEGINS.match(plain)
-        if first is None or not is_verb(first[1], self.verbs.motions):
+        if first is None or not self._is_verb(first[1]):
             return Told(clause, _JOINED.sub(self._with_subject, self._with_names_as_words(plain)))
         plain = plain[first.start(1) :]
         besides, plain = self._chained(plain)
@@ -113,24 +113,28 @@ class Clauses:
     def _chained(self, plain: str) -> tuple[tuple[str, ...], str]:
         """Split the verbs off that come before another with the same objects; of alternatives the first is told."""
         chain = _CHAIN.match(plain)
-        verbs = re.findall(r"[A-Za-z]+", chain[0]) if chain is not None else []
-        words = [word for word in verbs if word.lower() not in {"and", "or", "then"}]
-        listed = [word.lower() for word in words]
-        if chain is None or not all(is_verb(word, self.verbs.motions) for word in listed):
+        if chain is None:
             return (), plain
-        rest = plain[chain.end() - len(words[-1]) :]
-        sure = _OF_A_THING.match(rest) or not any(tables().foods.is_listed(word) for word in listed[1:])
+        words = re.findall(r"[A-Za-z]+", chain[0])
+        verbs = [word for word in map(str.lower, words) if word not in {"and", "or", "then"}]
+        if not all(map(self._is_verb, verbs)):
+            return (), plain
+        rest = plain[chain.end() - len(verbs[-1]) :]
+        sure = _OF_A_THING.match(rest) or not any(map(tables().foods.is_listed, verbs[1:]))
         if self._motions.match(plain) or not sure:
             return (), plain
-        if "or" in verbs[1:]:
-            return (), f"{listed[0]}{rest[len(words[-1]) :]}"
-        return tuple(listed[:-1]), rest
+        if "or" in words[1:]:
+            return (), f"{verbs[0]}{rest[len(verbs[-1]) :]}"
+        return tuple(verbs[:-1]), rest
+
+    def _is_verb(self, word: str) -> bool:
+        return is_verb(word, self.verbs.motions)
 
     def _as_done(self, kept: re.Match[str]) -> str:
         """Return "refrigerate" for "keep refrigerated", where that is a verb."""
         stem = kept[1].lower()
         forms = (f"{stem}e", stem, stem[:-1] if stem[-1:] == stem[-2:-1] else stem)
-        return next((form for form in forms if is_verb(form, self.verbs.motions)), kept[0])
+        return next((form for form in forms if self._is_verb(form)), kept[0])
 
     def _is_seasoning(self, word: str) -> bool:
         """Whether a word at the end of a list is a food that may be a verb: salt and pepper."""
@@ -148,12 +152,12 @@ class Clauses:
         word = joined[2]
         ends = not joined.string[joined.end() :].strip(" .,").strip() or joined.string[joined.end()] == ","
         after = re.match(r"\s+(?:and|then)\s+([a-z]+)", joined.string[joined.end() :])
-        if after is not None and not is_verb(after[1], self.verbs.motions):
+        if after is not None and not self._is_verb(after[1]):
             return joined[0]
         food = canonical(word) in food_groups().places or (ends and self._is_seasoning(word))
         food = food and word not in tables().unfinished  # a mix is nothing that lies in a bowl
         before = joined[1] if joined[1].strip() != "," else ", and "
-        return f"{before}you {word}" if is_verb(word, self.verbs.motions) and not food else joined[0]
+        return f"{before}you {word}" if self._is_verb(word) and not food else joined[0]
 
     def _with_names_as_words(self, text: str) -> str:
         """Return ``text`` with every name of several words as one word: the longest that FOON or tables have."""
@@ -173,7 +177,7 @@ class Clauses:
 
     def _is_only_a_food(self, word: str) -> bool:
         """Whether a word is a food and nothing else, so that a plain noun may stand in for it."""
-        verb = is_verb(word, self.verbs.motions) or is_verb(singular(word), self.verbs.motions)
+        verb = self._is_verb(word) or self._is_verb(singular(word))
         return word.isalpha() and tables().foods.is_listed(word) and not verb and state_in(word) is None
 
     def _is_name(self, text: str, words: Sequence[re.Match[str]], length: int) -> bool:

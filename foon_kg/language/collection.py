@@ -70,14 +70,20 @@ class CollectionReader:
             self._known = {line: self._known[line] for line in lines if line in self._known}
         left = []
         for line in [line for line in lines if line not in self._known]:
-            if not line.is_readable or (not line.detected and is_heading(line.text)):
-                self._known[line] = ()
-            elif (called := self._without_parser(line)) is not None:
-                self._known[line] = (called,)
-            else:
+            called = self._at_once(line)
+            if called is None:
                 left.append(line)
+            else:
+                self._known[line] = called
         for line, read in zip(left, self.lines.read([line.text for line in left]), strict=True):
             self._known[line] = tuple(self._as_read(line, read))
+
+    def _at_once(self, line: CollectedLine) -> tuple[CalledFor, ...] | None:
+        """Return what a line calls for without reading it, nothing for a heading; ``None`` where it has to be read."""
+        if not line.is_readable or (not line.detected and is_heading(line.text)):
+            return ()
+        called = self._without_parser(line)
+        return None if called is None else (called,)
 
     def _as_read(self, line: CollectedLine, read: RecipeLine) -> Iterator[CalledFor]:
         """Yield what a line calls for as it was ``read``; what the collection says itself holds for the first food."""

@@ -18,8 +18,17 @@ from foon_kg.food.lists import word_list
 from foon_kg.language.clauses import Clauses, Told
 from foon_kg.language.drafting.scene import PRONOUNS
 from foon_kg.language.drafting.verbs import Verbs
-from foon_kg.language.nouns import NAMES, governed, is_vessel, names_in, spoken
-from foon_kg.language.parsed_verbs import LEFT_TO_ITSELF, MAKES, OBJECTS, UNTIL, is_action, lemma_of, other_way
+from foon_kg.language.nouns import NAMES, governed, is_vessel, named_by, spoken
+from foon_kg.language.parsed_verbs import (
+    LEFT_TO_ITSELF,
+    MAKES,
+    OBJECTS,
+    UNTIL,
+    has_object,
+    is_action,
+    lemma_of,
+    other_way,
+)
 from foon_kg.language.verb_arguments import AT_HAND, ON_HAND, TO, VerbArguments, last_word
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
@@ -196,18 +205,18 @@ def _heads(verb: Token) -> Iterator[Token]:
 
 def _objects(verb: Token) -> list[Mention]:
     """Return the objects of a verb; of one that is only let happen (let the cookies cool), those that it happens to."""
-    found = _named_by(child for child in verb.children if child.dep_ in OBJECTS)
-    found += _named_by(child for child in verb.children if _is_joined(child))
+    found = _direct(verb)
+    found += named_by(child for child in verb.children if _is_joined(child))
     if verb.dep_ in {"ccomp", "xcomp"} and verb.head.lemma_ in LEFT_TO_ITSELF:
-        around = [*verb.children, *verb.head.children]
-        let = (child for child in around if child.dep_ in {"nsubj", "dobj"} and child.pos_ in NAMES)
-        found += [one for one in _named_by(let) if one.name.lower() != "you"]
+        found += _left_alone(verb)
     return found
 
 
-def _named_by(nouns: Iterable[Token]) -> list[Mention]:
-    """Return the things that ``nouns`` name, one after another."""
-    return [name for noun in nouns for name in names_in(noun)]
+def _left_alone(verb: Token) -> list[Mention]:
+    """Return the things that are let do what a verb says."""
+    around = [*verb.children, *verb.head.children]
+    let = (child for child in around if child.dep_ in {"nsubj", "dobj"} and child.pos_ in NAMES)
+    return [one for one in named_by(let) if one.name.lower() != "you"]
 
 
 def _is_joined(child: Token) -> bool:
@@ -224,11 +233,16 @@ def _particle(verb: Token, lemma: str, verbs: Verbs, said: VerbArguments) -> tup
             _take_place(child, verb, said)
         else:
             said.direct += governed(child)
-    taken = None if particle else next((child for child in verb.children if _is_particle(child, verb, verbs)), None)
+    taken = None if particle else _preposition_of(verb, verbs)
     if taken is None:
         return particle, None
     said.direct += governed(taken)
     return str(taken.lower_), taken
+
+
+def _preposition_of(verb: Token, verbs: Verbs) -> Token | None:
+    """Return the preposition that belongs to a verb: the on of turn on the stove."""
+    return next((child for child in verb.children if _is_particle(child, verb, verbs)), None)
 
 
 def _says_where(particle: Token, lemma: str, verbs: Verbs, said: VerbArguments) -> bool:
@@ -275,16 +289,19 @@ def _brings(verb: str, verbs: Verbs) -> bool:
 
 def _is_particle(word: Token, verb: Token, verbs: Verbs) -> bool:
     """Whether a preposition belongs to the verb before it: turn on the stove, stir in the eggs."""
-    lemma = lemma_of(verb, verbs)
     if word.dep_ != "prep" or word.i != verb.i + 1:
         return False
-    into = any(is_vessel(name.name) for name in governed(word))
-    comes_in = word.lower_ in {"in", "through"} and _brings_or_mixes(lemma, verbs) and not into  # tip in the tomatoes
-    if not comes_in and not verbs.is_said(f"{lemma} {word.lower_}"):
+    lemma = lemma_of(verb, verbs)
+    into = _leads_into_a_vessel(word)
+    if word.lower_ in {"in", "through"} and not into and _brings_or_mixes(lemma, verbs):
+        return not has_object(verb)  # tip in the tomatoes
+    if not verbs.is_said(f"{lemma} {word.lower_}"):
         return False
-    if comes_in:
-        return not any(child.dep_ in OBJECTS for child in verb.children)
     return not (word.lower_ in TO and (into or (_brings(lemma, verbs) and word.lower_ != "in")))
+
+
+def _leads_into_a_vessel(preposition: Token) -> bool:
+    return any(is_vessel(name.name) for name in governed(preposition))
 
 
 def _product(verb: Token) -> str | None:
@@ -305,7 +322,7 @@ def _is_to_make(token: Token) -> bool:
 
 def _direct(verb: Token) -> list[Mention]:
     """Return what stands as the object of a verb, without what is joined to it."""
-    return _named_by(child for child in verb.children if child.dep_ in OBJECTS)
+    return named_by(child for child in verb.children if child.dep_ in OBJECTS)
 
 
 def _results(verb: Token) -> Iterator[str]:

@@ -93,18 +93,19 @@ def as_bought(line: RecipeLine, so: Sequence[str] = ()) -> RecipeLine:
     What a can holds was diced or crushed by nobody here. A utensil is no food (skewers). Words that say nothing of a
     food are no part of its name (reserved pasta water).
     """
-    if line.object:
-        line = replace(line, object=_without_praise(line.object))
-    if line.object and tables().utensil(line.object) is not None and not tables().foods.is_listed(line.object):
-        return replace(line, object=None, left_over=(*line.left_over, line.object))
-    canned = tables().foods.as_measured(line.object, [line.unit]) if line.object else ""
-    if canned:
+    if not line.object:
+        return line
+    name = _without_praise(line.object)
+    line = replace(line, object=name)
+    if tables().utensil(name) is not None and not tables().foods.is_listed(name):
+        return replace(line, object=None, left_over=(*line.left_over, name))
+    if canned := tables().foods.as_measured(name, [line.unit]):
         states = (canned, *(state for state in line.states if state not in {canned, *so}))
         return replace(line, state=asked_state(states, tables()), states=states)
     first, rest = line.states[:1], line.states[1:]
-    if line.object is None or not rest or not is_bought_so(first[0], line.object):
+    if not rest or not is_bought_so(first[0], name):
         return line
-    return replace(line, object=f"{first[0]} {line.object}", state=asked_state(rest, tables()), states=rest)
+    return replace(line, object=f"{first[0]} {name}", state=asked_state(rest, tables()), states=rest)
 
 
 def _without_praise(name: str) -> str:

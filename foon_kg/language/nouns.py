@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from foon_kg.food import tables
@@ -30,18 +30,29 @@ def spoken(token: Token) -> str:
 
 def names_in(token: Token) -> Iterator[Mention]:
     """Yield the thing that a noun (``token``) names, and those joined to it; a measure names what it is of."""
-    of = [thing for child in token.children if child.lower_ == "of" for thing in child.children if thing.dep_ == "pobj"]
+    of = _of_what(token)
     measures = token.lemma_.lower() in _MEASURES
     if of and (measures or is_vessel(spoken(token))):
-        for thing in of:
-            yield from names_in(thing)
+        yield from named_by(of)
         if not measures:
             yield _name(token)  # a pan of water: both
     elif token.pos_ in NAMES or token.dep_ in {"pobj", "dobj", "conj"}:
         yield from (Mention(spoken(one)) for one in _apart(token))
         yield _name(token)
-    for child in _joined_to(token):
-        yield from names_in(child)
+    yield from named_by(_joined_to(token))
+
+
+def _of_what(token: Token) -> list[Token]:
+    return [thing for child in token.children if child.lower_ == "of" for thing in _objects_of(child)]
+
+
+def named_by(nouns: Iterable[Token]) -> list[Mention]:
+    """Return the things that ``nouns`` name, one after another."""
+    return [name for noun in nouns for name in names_in(noun)]
+
+
+def _objects_of(preposition: Token) -> list[Token]:
+    return [child for child in preposition.children if child.dep_ == "pobj"]
 
 
 def _joined_to(token: Token) -> list[Token]:
@@ -52,12 +63,19 @@ def _joined_to(token: Token) -> list[Token]:
 
 
 def _name(token: Token) -> Mention:
-    parts = [child for child in token.lefts if child.dep_ in _PARTS_OF_A_NAME and child.is_alpha]
-    parts = [*(other for part in parts for other in part.conjuncts), *parts] if _apart(token) else parts
-    parts = [part for part in parts if part not in _apart(token)]
+    parts = _parts_of_name(token)
     states = [child.lower_ for child in parts if child.pos_ == "VERB" and state_in(child.lower_) is not None]
     words = [word for part in parts if part.lower_ not in states for word in (*_inside(part), spoken(part))]
     return Mention(" ".join((*words, spoken(token))), tuple(filter(None, map(state_in, states))))
+
+
+def _parts_of_name(token: Token) -> list[Token]:
+    """Return the words before a noun that are parts of its name; things of their own between them are none."""
+    parts = [child for child in token.lefts if child.dep_ in _PARTS_OF_A_NAME and child.is_alpha]
+    apart = _apart(token)
+    if apart:
+        parts = [*(other for part in parts for other in part.conjuncts), *parts]
+    return [part for part in parts if part not in apart]
 
 
 def _apart(token: Token) -> list[Token]:
@@ -72,12 +90,15 @@ def _inside(part: Token) -> list[str]:
 
 def governed(preposition: Token) -> list[Mention]:
     """Return what a preposition governs; a noun that the parser takes for a verb (dressing) is one all the same."""
-    things = [name for child in preposition.children if child.dep_ == "pobj" for name in names_in(child)]
-    verbal = [child for child in preposition.children if child.dep_ == "pcomp" and child.lower_.endswith("ing")]
+    things = named_by(_objects_of(preposition))
     if not things and preposition.lower_ not in BEFORE_A_CLAUSE:
-        things = [Mention(spoken(child)) for child in verbal if child.lower_ in _MIXED]
+        things = [Mention(spoken(child)) for child in preposition.children if _is_mixture_like_a_verb(child)]
     nested = [child for child in preposition.children if child.dep_ == "prep"]  # out of, on top of
     return things or [name for child in nested for name in governed(child)]
+
+
+def _is_mixture_like_a_verb(word: Token) -> bool:
+    return word.dep_ == "pcomp" and word.lower_.endswith("ing") and word.lower_ in _MIXED
 
 
 def is_vessel(name: str) -> bool:

@@ -22,13 +22,22 @@ Token = Any  # spaCy says nothing of its types
 
 def is_action(token: Token) -> bool:
     """Return whether a verb (``token``) is something that is done."""
-    if token.pos_ != "VERB" or token.dep_ not in _CLAUSE_DEPS or any(child.dep_ == "neg" for child in token.children):
+    if token.pos_ != "VERB" or token.dep_ not in _CLAUSE_DEPS or _is_negated(token):
         return False
     if token.dep_ == "pcomp" and token.head.lower_ not in BEFORE_A_CLAUSE:
         return False
     if token.lemma_ in LEFT_TO_ITSELF and _inner(token) is not None:
         return False  # begin to chop, let it cool
     return not (_is_purpose(token) or _is_alternative(token) or _is_background(token))
+
+
+def _is_negated(verb: Token) -> bool:
+    return any(child.dep_ == "neg" for child in verb.children)
+
+
+def has_object(verb: Token) -> bool:
+    """Return whether something stands as the object of a ``verb``."""
+    return any(child.dep_ in OBJECTS for child in verb.children)
 
 
 def _inner(verb: Token) -> Token | None:
@@ -50,9 +59,8 @@ def _is_alternative(token: Token) -> bool:
 
 def other_way(token: Token) -> Token:
     """Return the other verb of ``token`` where only that has an object: the press of "roll or press the dough"."""
-    has_object = any(child.dep_ in OBJECTS for child in token.children)
     others = [child for child in token.children if child.dep_ == "conj" and _is_alternative(child)]
-    return others[0] if others and not has_object else token
+    return others[0] if others and not has_object(token) else token
 
 
 def _is_background(token: Token) -> bool:

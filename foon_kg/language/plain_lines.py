@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import lru_cache
 
@@ -87,10 +88,15 @@ def amount_in_front(line: str) -> tuple[str, str]:
 @lru_cache(maxsize=_REMEMBERED)
 def _quantity(least: str, most: str) -> str:
     """Return a quantity, or a range of them; of "1-1/2" the second is the rest of the first."""
-    low, high = (sum(map(Fraction, number.split()), Fraction(0)) for number in (least, most))
+    low, high = _sum(least), _sum(most)
     if low < high:
         return f"{low}-{high}"
     return str(low + high if 0 < high < 1 else low)
+
+
+def _sum(numbers: str | None) -> Fraction:
+    """Return the sum of the numbers of a text: of "1 1/2" one and a half, of none nothing."""
+    return sum(map(Fraction, (numbers or "").split()), Fraction(0))
 
 
 def is_measure(word: str) -> bool:
@@ -103,30 +109,41 @@ def read_quickly(line: str) -> RecipeLine | None:
     match = _LINE.fullmatch(" ".join(line.split()))
     if match is None:
         return None
-    quantity = sum(map(Fraction, (match["quantity"] or "").split()), Fraction(0))
+    quantity = _sum(match["quantity"])
     unit, size, words = _measures(match["words"], quantity)
     food, done = _food(words), _done(match["done"] or "")
-    if food is None or done is None or ((unit or size) and not quantity):
+    if food is None or done is None or _is_measured_oddly(unit, food[1], match["inside"]):
         return None
-    if unit in {"clove", "cloves"} and canonical(food[1]) != "garlic":  # cloves are a spice too
-        return None
-    if match["inside"] and _ONE.get(unit) not in _PACKAGES:
+    if (unit or size) and not quantity:
         return None
     states = tuple(dict.fromkeys((*food[0], *done[0])))
-    optional = ("(optional)",) if match["optional"] else ()
-    inside = (f"{match['inside']} ounce{'' if match['inside'] == '1' else 's'}",) if match["inside"] else ()
     answer = RecipeLine(
         line,
         food[1],
         state=asked_state(states, tables()),
         states=states,
-        quantity=str(quantity or ""),
+        quantity=str(quantity) if quantity else "",
         unit=unit,
         size=size,
-        left_over=(*done[1], *optional, *inside),
+        left_over=(*done[1], *_in_brackets(match)),
         confidence=AGREES,
     )
     return of_one_fruit(as_bought(answer, food[0]))
+
+
+def _is_measured_oddly(unit: str, food: str, inside: str | None) -> bool:
+    """Whether a unit may be no unit of a food, cloves being a spice too, or holds nothing that may be ``inside`` it."""
+    if unit in {"clove", "cloves"} and canonical(food) != "garlic":
+        return True
+    return bool(inside) and _ONE.get(unit) not in _PACKAGES
+
+
+def _in_brackets(match: re.Match[str]) -> Iterator[str]:
+    """Yield what the brackets of a line say: that it is optional, and how much is in a package."""
+    if match["optional"]:
+        yield "(optional)"
+    if match["inside"]:
+        yield f"{match['inside']} ounce{'' if match['inside'] == '1' else 's'}"
 
 
 def _measures(words: str, quantity: Fraction) -> tuple[str, str, str]:

@@ -123,29 +123,19 @@ _A_LITTLE = re.compile(
 
 @lru_cache(maxsize=_REMEMBERED)
 def _parse(text: str) -> RecipeLine:
-    if not any(letter.isalpha() for letter in text):
+    parsed = _parsed(text)
+    if parsed is None:
         return RecipeLine(text, None, left_over=(text,) if text else ())
-    try:
-        parsed = _parser()(text, string_units=True)
-    except (ArithmeticError, ValueError):  # it takes "inf" and "1/0" for numbers
-        return RecipeLine(text, None, left_over=(text,))
-    if not parsed.name:
-        return RecipeLine(text, None, left_over=(text,))
     quantity, unit = _amount(parsed.amount[0]) if parsed.amount else ("", "")
     front, names = without_mere_states([name.text for name in parsed.name])
-    name, preparation = names[0], _text(parsed.preparation)
-    before, _, after = preparation.partition(", ")
-    if f"{before} {name}" in text and is_another_food(before, name):
-        name, preparation = f"{before} {name}", after
+    name, preparation = _with_its_front(names[0], _text(parsed.preparation), text)
     in_name, name = split_name(name)
     prepared, unread = states_of(preparation)
     name, _, aside = name.partition(" (")
-    few = _A_LITTLE.match(name)
-    name = name[few.end() :] if few else name
-    prepared = (*prepared, "juice") if few and few[1].lower() == "squeeze" else prepared
+    squeezed, name = _without_a_little(name)
     remarks = [_text(part) for part in (parsed.comment, parsed.purpose) if part]
     remarks += [f"({aside}"] if aside else []
-    states = tuple(dict.fromkeys((*front, *in_name, *prepared)))
+    states = tuple(dict.fromkeys((*front, *in_name, *prepared, *squeezed)))
     answer = RecipeLine(
         text,
         name,
@@ -159,6 +149,36 @@ def _parse(text: str) -> RecipeLine:
         confidence=round(float(parsed.name[0].confidence), 4),
     )
     return with_all_foods(as_bought(answer, in_name), text, names[1:], preparation)
+
+
+def _parsed(text: str) -> Any | None:  # noqa: ANN401 - the package's own class, which mypy does not know
+    """Return what the parser makes of a text; ``None`` where it finds no food in it."""
+    if not any(letter.isalpha() for letter in text):
+        return None
+    try:
+        parsed = _parser()(text, string_units=True)
+    except (ArithmeticError, ValueError):  # it takes "inf" and "1/0" for numbers
+        return None
+    return parsed if parsed.name else None
+
+
+def _with_its_front(name: str, preparation: str, text: str) -> tuple[str, str]:
+    """Return a name with what the parser took for a preparation and makes another food of it, and what is left.
+
+    Ground beef is no beef that is ground.
+    """
+    before, _, after = preparation.partition(", ")
+    if f"{before} {name}" in text and is_another_food(before, name):
+        return f"{before} {name}", after
+    return name, preparation
+
+
+def _without_a_little(name: str) -> tuple[tuple[str, ...], str]:
+    """Return the states that "a squeeze of" tells, and the name behind such words."""
+    few = _A_LITTLE.match(name)
+    if few is None:
+        return (), name
+    return ("juice",) if few[1].lower() == "squeeze" else (), name[few.end() :]
 
 
 def _amount(amount: Any) -> tuple[str, str]:  # noqa: ANN401 - the package's own class, which mypy does not know

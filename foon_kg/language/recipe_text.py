@@ -37,17 +37,20 @@ def recipe_text(lines: Sequence[str]) -> RecipeText:
     ('2 eggs', '1 pinch of salt')
     """
     lines = lines[1:] if _begins_with_a_title(lines) else lines
-    heading = next((place for place, line in enumerate(lines) if _is(line, "headings of ingredients")), None)
+    heading = _place_of(lines, "headings of ingredients")
     start = 0 if heading is None else heading + 1
-    after = range(start, len(lines))
-    end = next(
-        (place for place in after if heading is not None and _is(lines[place], "headings of instructions")), None
-    )
+    end = None if heading is None else _place_of(lines, "headings of instructions", start)
     if end is None:
+        after = range(start, len(lines))
         end = next((place for place in after if not _is_listed(lines, place, start)), len(lines))
     if heading is None and end == len(lines):  # nothing would be left to do
         end = 0
     return RecipeText(_without_headings(lines[start:end]), _without_headings([*lines[:start], *lines[end:]]))
+
+
+def _place_of(lines: Sequence[str], headings: str, start: int = 0) -> int | None:
+    """Return the place of the first line from ``start`` on that is one of these headings."""
+    return next((place for place in range(start, len(lines)) if _is(lines[place], headings)), None)
 
 
 def _begins_with_a_title(lines: Sequence[str]) -> bool:

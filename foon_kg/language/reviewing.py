@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, Self
@@ -102,14 +102,7 @@ class Review:
         if not is_video_table(text):
             hint = "foon draft videos, foon draft text and foon draft recipes make drafts."
             raise ReadError(f"{where}:1: no table of units: it lacks columns", hint=f"It has motion, inputs, …: {hint}")
-        try:
-            rows = tuple(row.cells for row in table_rows(text))
-        except UnreadableFile as broken:
-            raise ReadError(f"{where}:{broken.line or 1}: {broken.problem.message}", hint="Mend the table.") from None
-        if len(rows) > MOST_ROWS:
-            raise ReadError(f"{where}: it has {len(rows)} rows", hint=f"{MOST_ROWS} are the most: split the table.")
-        if len({row["video"] for row in rows if row.get("video")}) > 1:
-            raise ReadError(f"{where}: it has several videos", hint="Review one at a time: split the table.")
+        rows = _rows_of_one_video(text, where)
         columns = tuple(dict.fromkeys((*filter(None, columns_of(text)), *UNIT_COLUMNS, REVIEWED)))
         return cls(name, columns, tuple({one: " ".join(row.get(one, "").split()) for one in columns} for row in rows))
 
@@ -224,15 +217,26 @@ def _sure(text: str) -> float:
         return 1.0
 
 
-def _own(row: DraftRow, notices: Sequence[Notice]) -> Iterator[Reason]:
-    """Yield why a row is doubtful by itself."""
-    if row.annotation is None and row.doubts and row.confidence >= SURE:
-        return  # it changes nothing, or a later unit has it
-    if row.annotation is None:
-        told = row.doubts or tuple(notice.message for notice in notices if notice.line == row.line)
-        yield from (Reason("no unit", text) for text in told or ("it is no unit",))
-    elif row.confidence < SURE:
-        yield from (Reason("doubt", text) for text in row.doubts)
+def _rows_of_one_video(text: str, where: str) -> tuple[Cells, ...]:
+    """Return the cells of a table, row by row; raises ReadError where they are too many, or of several videos."""
+    try:
+        rows = tuple(row.cells for row in table_rows(text))
+    except UnreadableFile as broken:
+        raise ReadError(f"{where}:{broken.line or 1}: {broken.problem.message}", hint="Mend the table.") from None
+    if len(rows) > MOST_ROWS:
+        raise ReadError(f"{where}: it has {len(rows)} rows", hint=f"{MOST_ROWS} are the most: split the table.")
+    if len({row["video"] for row in rows if row.get("video")}) > 1:
+        raise ReadError(f"{where}: it has several videos", hint="Review one at a time: split the table.")
+    return rows
+
+
+def _own(row: DraftRow, notices: Sequence[Notice]) -> Iterable[Reason]:
+    """Return why a row is doubtful by itself; one that surely is no unit changes nothing, or a later unit has it."""
+    if row.annotation is None and not row.doubts:
+        told = [notice.message for notice in notices if notice.line == row.line]
+        return [Reason("no unit", text) for text in told or ["it is no unit"]]
+    kind: Kind = "no unit" if row.annotation is None else "doubt"
+    return [Reason(kind, text) for text in row.doubts] if row.confidence < SURE else []
 
 
 def _unknown(row: DraftRow, told: set[tuple[str, str]]) -> Iterator[Reason]:

@@ -55,19 +55,30 @@ def _each(name: str) -> Iterator[str]:
 
 
 def _with_beside(line: RecipeLine, text: str, beside: Sequence[str], preparation: str) -> RecipeLine:
+    """Return a line with the foods ``beside`` its own; ``preparation`` is told of one of them, of all or of its own."""
     done, _ = states_of(preparation)
-    own = next((name for name in beside if preparation and f"{preparation} {name}" in text), None)
-    to_all = own is None and bool(preparation) and text.find(preparation) > text.find(beside[-1])
+    own = _told_before(preparation, beside, text)
     if own is not None:
         kept = tuple(state for state in line.states if state not in done)
         line = replace(line, state=asked_state(kept, tables()), states=kept)
-    found = []
-    for name in beside:
-        in_name, food = split_name(name)
-        states = (*in_name, *(done if to_all or name == own else ()))
-        one = RecipeLine(line.text, food, asked_state(states, tables()), states, confidence=line.confidence)
-        found.append(as_bought(one, in_name))
+        prepared: Sequence[str] = [own]
+    else:
+        behind_all = bool(preparation) and text.find(preparation) > text.find(beside[-1])
+        prepared = beside if behind_all else []
+    found = [_food_beside(line, name, done if name in prepared else ()) for name in beside]
     return replace(line, others=(), beside=tuple(one for one in found if one.object))
+
+
+def _told_before(preparation: str, names: Sequence[str], text: str) -> str | None:
+    """Return the name before which a text tells the preparation."""
+    return next((name for name in names if preparation and f"{preparation} {name}" in text), None)
+
+
+def _food_beside(line: RecipeLine, name: str, done: Sequence[str]) -> RecipeLine:
+    in_name, food = split_name(name)
+    states = (*in_name, *done)
+    one = RecipeLine(line.text, food, asked_state(states, tables()), states, confidence=line.confidence)
+    return as_bought(one, in_name)
 
 
 def of_one_fruit(line: RecipeLine) -> RecipeLine:

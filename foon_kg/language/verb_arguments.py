@@ -60,17 +60,27 @@ class VerbArguments:
 
         ``verb`` and ``particle`` are those of the action, as in "stir" and "in".
         """
-        tools = [name for name in self.used if Kitchen.default().is_utensil(name.name)]
-        foods = [name for name in self.used if name not in tools]
+        kitchen = Kitchen.default()
+        tools = tuple(name.name for name in self.used if kitchen.is_utensil(name.name))
+        foods = [name for name in self.used if name.name not in tools]
         if foods and verb in _COVERED_BY:
             self._cover_with(foods)
         elif foods:
-            if not self.direct and not self.places:  # toss with the dressing
-                self.places.append(AT_HAND)
-            self.direct += foods
-        if particle in {"in", "through"} and self.direct and not self.places:  # stir in the eggs
+            self._work_in(foods)
+        if particle in {"in", "through"} and self.direct:  # stir in the eggs
+            self._go_to_what_is_at_hand()
+        return tools
+
+    def _work_in(self, foods: list[Mention]) -> None:
+        """Make ``foods`` objects, too; by themselves they go to what is at hand: "toss with the dressing"."""
+        if not self.direct:
+            self._go_to_what_is_at_hand()
+        self.direct += foods
+
+    def _go_to_what_is_at_hand(self) -> None:
+        """Note what is at hand as the place, where no other one is told."""
+        if not self.places:
             self.places.append(AT_HAND)
-        return tuple(name.name for name in tools)
 
     def _cover_with(self, foods: list[Mention]) -> None:
         """Make ``foods`` the objects, and what were objects the places: "brush the loaf with the egg"."""

@@ -40,20 +40,23 @@ class Bringing:
         if target is not None and target == before.container:
             into = nodes.vessel(target)
             return [self.maker.unit(action, motion, [into, before], [into, before], evidence)]
+        inputs = [*left, before, *tools]
         if target is None:
             after = replace(before, relation=None, container=None)
-            return [self.maker.unit(action, motion, [*left, before, *tools], [*gone, after], evidence)]
+            return [self.maker.unit(action, motion, inputs, [*gone, after], evidence)]
         if target in scene.foods:
-            inputs, outputs = self._onto(target, [before, *left, *tools], gone)
-            return [self.maker.unit(action, motion, inputs, outputs, evidence)]
-        into = nodes.vessel(target)
-        told = None if motions.transfers(motion) else done(action.verb)
-        states = before.states if told is None else with_state(before.states, told)  # sifted into the bowl
-        after = replace(before, states=states, relation=self.maker.precedents.relation(target), container=target)
+            return [self.maker.unit(action, motion, *self._onto(target, [before, *left, *tools], gone), evidence)]
         scene.focus = target
-        inputs = [into, *left, before, *tools]
+        after = self._brought(before, target, action, motion)
+        into = nodes.vessel(target)
         outputs = [filled(into, [mention.name]), after, *gone]
-        return [self.maker.unit(action, motion, inputs, outputs, evidence)]
+        return [self.maker.unit(action, motion, [into, *inputs], outputs, evidence)]
+
+    def _brought(self, food: ObjectNode, target: str, action: NarratedAction, motion: str) -> ObjectNode:
+        """Return a food in the utensil ``target``, changed where the motion does more than bring: sifted into it."""
+        told = None if motions.transfers(motion) else done(action.verb)
+        states = food.states if told is None else with_state(food.states, told)
+        return replace(food, states=states, relation=self.maker.precedents.relation(target), container=target)
 
     def _onto(
         self, target: str, inputs: Sequence[ObjectNode], gone: Sequence[ObjectNode]

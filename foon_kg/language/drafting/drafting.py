@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from foon_kg.food import motions, singular, tables
 from foon_kg.food.lists import word_list
-from foon_kg.food.rows import Utensil
 from foon_kg.food.words import words
+from foon_kg.language.drafting.appliances import Appliances, is_appliance, source_of
 from foon_kg.language.drafting.calibration import probability
 from foon_kg.language.drafting.drafts import Draft, DraftUnit, LeftOut
 from foon_kg.language.drafting.hands import brings_back, takes
@@ -20,7 +20,7 @@ from foon_kg.language.drafting.precedents import FoonPrecedents
 from foon_kg.language.drafting.referents import Referents
 from foon_kg.language.drafting.scene import Scene
 from foon_kg.language.drafting.told_states import done
-from foon_kg.language.drafting.units import COVERED, UnitDrafter
+from foon_kg.language.drafting.units import UnitDrafter
 from foon_kg.language.drafting.verbs import Reading
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, Participant
 from foon_kg.model.names import canonical
@@ -33,11 +33,8 @@ _NOT_IN_NAMES = re.compile(r"[^\w&'%/ -]+|_")
 _ARTICLES = frozenset({"a", "an", "the", "some", "more", "of", "remaining", "other", "another", "your", "each"})
 _ROOM = word_list("belongs to the room")
 """What belongs to the room and not to the dish; no FOON has it."""
-_CHILL = "refrigerate"
 _PREPARES_A_VESSEL = frozenset({"coat", "cover"})
 _INTO = frozenset({"in", "into", "inside", "on", "onto"})
-_HEATS_ONE = word_list("heats an appliance")
-_OVEN = "oven"
 _ITSELF, _SEVERAL = word_list("speaks of the thing itself"), word_list("speaks of several")
 _PUT_IT = re.compile(r"[\w-]+\s+(?:(?:it|them|this|that)\s+)?(?:in|into|inside|on|onto)\s", re.IGNORECASE)
 _RELATIONS = re.compile(r"\b(?:attached to|covered with|covered|below|under|over|with|from|on|in)\b")
@@ -78,6 +75,7 @@ class _Drafter:
         self._kitchen = precedents.kitchen
         self._scene = Scene(precedents.kitchen)
         self._free = free
+        self._appliances = Appliances(precedents, free=free)
         self._units = UnitDrafter(NodeDrafter(precedents, self._scene), free=free)
         self._referents = Referents(precedents, self._scene, title if free else None, larder=larder)
 
@@ -97,7 +95,7 @@ class _Drafter:
         reading = self._precedents.verbs.reading(action.verb)
         self._look_at_fixtures(action, reading)
         if not reading.motions and self._keeps_cold(action):
-            action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
+            action, reading = self._appliances.chilled(action)
         if not reading.motions:
             return (LeftOut(action.said, f"{reading.why}: left out", action.timing, settled=reading.idle),)
         if len(action.objects) > _MOST_OBJECTS:
@@ -126,26 +124,29 @@ class _Drafter:
         return LeftOut(action.said, reason, action.timing, settled=True)
 
     def _look_at_fixtures(self, action: NarratedAction, reading: Reading) -> None:
-        does = tables().motion(next(iter(reading.motions), "")).does
+        does = tables().motion(reading.likeliest).does
         for one in action.objects if not does.isdisjoint({"open", "close"}) else ():
             self._scene.hands.see(self._known_as(plain_name(one.name)), opened="open" in does)
 
     def _drafted(self, action: NarratedAction, reading: Reading) -> Sequence[DraftUnit]:
         """Return the units of an action whose names are plain; none where nobody says what it is done to."""
         action = self._referents.turned(self._brought_back(action))
-        action, reading = self._with_appliances(replace(action, places=self._referents.places(action)), reading)
+        action, reading = self._appliances.used(replace(action, places=self._referents.places(action)), reading)
         action, doubts = self._with_referents(action)
-        unsaid = not action.objects and not action.places and action.verb not in COVERED
-        if not action.objects or (unsaid and all(map(motions.transfers, reading.motions))):
+        if not action.objects:
             return ()
-        foods = [one for one in action.objects if not self._kitchen.is_utensil(one.name)]
-        motion = self._precedents.motion(reading.motions, action.objects[0].name)
-        if not foods and tables().motion(action.verb).does & _PREPARES_A_VESSEL:
-            motion = action.verb  # a tray is greased, though butter is spread
+        foods = tuple(one for one in action.objects if not self._kitchen.is_utensil(one.name))
+        motion = self._motion(action, reading, prepares=not foods)
         doubts = (*doubts, *_doubts_of(action, reading, motion))
         if foods:
-            action = replace(action, objects=tuple(foods))
+            action = replace(action, objects=foods)
         return self._units.units(action, motion, reading.confidence, doubts)
+
+    def _motion(self, action: NarratedAction, reading: Reading, *, prepares: bool) -> str:
+        """Return what the FOON calls the verb; a tray that one ``prepares`` is greased, though butter is spread."""
+        if prepares and tables().motion(action.verb).does & _PREPARES_A_VESSEL:
+            return action.verb
+        return self._precedents.motion(reading.motions, action.objects[0].name)
 
     def _brought_back(self, action: NarratedAction) -> NarratedAction:
         """Return the action with the place where its object was, if it says no other and is brought back there."""
@@ -176,25 +177,7 @@ class _Drafter:
 
     def _keeps_cold(self, action: NarratedAction) -> bool:
         """Whether something is kept in what cools."""
-        return any(_source(self._known_as(plain_name(place.name))) == "cold" for place in action.places)
-
-    def _with_appliances(self, action: NarratedAction, reading: Reading) -> tuple[NarratedAction, Reading]:
-        """Return the action with what heats or cools among the instruments; what is put into a fridge is chilled."""
-        listed = [tables().utensil(one.name) for one in action.objects]
-        action = _heated_by_objects(action, listed, next(iter(reading.motions), ""))
-        if action.verb in _HEATS_ONE and not listed:
-            heater = next((place.name for place in action.places if _source(place.name) == "heat"), _OVEN)
-            return replace(action, objects=(Mention(heater),), places=()), reading
-        sources = {place.name: source for place in action.places if (source := _source(place.name)) in {"heat", "cold"}}
-        only_utensils = bool(action.objects) and all(self._kitchen.is_utensil(one.name) for one in action.objects)
-        if not sources or only_utensils:
-            return action, reading
-        if not tables().motion(next(iter(reading.motions), "")).source:
-            if not self._free or next(iter(sources.values())) != "cold":
-                return action, reading
-            action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
-        places = tuple(place for place in action.places if place.name not in sources)
-        return replace(action, places=places, instruments=(*sources, *action.instruments)), reading
+        return any(source_of(self._known_as(plain_name(place.name))) == "cold" for place in action.places)
 
     def _are_of_the_room(self, objects: Sequence[Mention]) -> bool:
         return bool(objects) and all(self._is_of_the_room(one.name) for one in objects)
@@ -207,19 +190,24 @@ class _Drafter:
         """Return ``action`` with names that a table of units can hold, and with utensils where utensils belong."""
         mentions, instruments = self._mentions(action)
         objects, utensils = self._apart(mentions)
-        used = [name for name in utensils if self._precedents.is_tool(name)]
         if self._are_of_the_room(objects):
-            objects = [Mention(name) for name in map(self._switched, action.places) if name] or objects
-        places = [Place(place.relation, self._place_known_as(plain_name(place.name))) for place in action.places]
-        places += [Place("", name) for name in utensils if name not in used]
+            objects = self._switched_at(action.places) or objects
+        used = [name for name in utensils if self._precedents.is_tool(name)]
+        around = [name for name in utensils if name not in used]
         return replace(
             action,
             objects=tuple(objects),
-            places=tuple(place for place in places if place.name and not self._is_no_place(place)),
-            origin=plain_name(action.origin or "") or None,
-            product=plain_name(action.product or "") or None,
+            places=self._plain_places(action, around),
+            origin=_plain_or_none(action.origin),
+            product=_plain_or_none(action.product),
             instruments=(*instruments, *used),
         )
+
+    def _plain_places(self, action: NarratedAction, utensils: Sequence[str]) -> tuple[Place, ...]:
+        """Return the places of an action by plain names, and ``utensils`` among its objects, which are places, too."""
+        places = [Place(place.relation, self._place_known_as(plain_name(place.name))) for place in action.places]
+        places += [Place("", name) for name in utensils]
+        return tuple(place for place in places if place.name and not self._is_no_place(place))
 
     def _mentions(self, action: NarratedAction) -> tuple[list[Mention], list[str]]:
         """Return objects and instruments by plain names; a food among the instruments is an object.
@@ -227,10 +215,13 @@ class _Drafter:
         "Fill a bowl with water" brings the water.
         """
         named = [Mention(self._known_as(plain_name(one.name)), one.states) for one in action.objects]
-        with_ = [name for one in action.instruments if (name := self._known_as(plain_name(one)))]
-        foods = [name for name in with_ if not (self._kitchen.is_utensil(name) or self._is_of_the_room(name))]
+        used = list(filter(None, (self._known_as(plain_name(one)) for one in action.instruments)))
+        foods = [name for name in used if self._is_food(name)]
         objects = [one for one in named if one.name] + [Mention(name) for name in foods]
-        return objects, [name for name in with_ if name not in foods]
+        return objects, [name for name in used if name not in foods]
+
+    def _is_food(self, name: str) -> bool:
+        return not (self._kitchen.is_utensil(name) or self._is_of_the_room(name))
 
     def _apart(self, mentions: list[Mention]) -> tuple[list[Mention], list[str]]:
         """Return the foods and the names of the utensils beside them; of utensils alone the first is the object."""
@@ -274,11 +265,10 @@ class _Drafter:
         named = () if held is None else (Mention(held),)
         return replace(action, objects=named, places=(Place(particle, objects[0].name),))
 
-    def _switched(self, place: Place) -> str | None:
-        """Return the appliance that is meant where "the heat on the oven" is turned off."""
-        name = self._known_as(plain_name(place.name))
-        row = tables().utensil(name)
-        return name if row is not None and row.role == "appliance" else None
+    def _switched_at(self, places: Sequence[Place]) -> list[Mention]:
+        """Return the appliances that are meant where "the heat on the oven" is turned off."""
+        names = [self._known_as(plain_name(place.name)) for place in places]
+        return [Mention(name) for name in names if name and is_appliance(name)]
 
 
 def _idle(action: NarratedAction, row: DraftUnit) -> LeftOut:
@@ -307,29 +297,6 @@ def _doubts_of(action: NarratedAction, reading: Reading, motion: str) -> Iterato
         yield reading.why
 
 
-def _heated_by_objects(action: NarratedAction, listed: Sequence[Utensil | None], motion: str) -> NarratedAction:
-    """Return an action that heats without objects that heat nothing: lids and tools, and what the heat comes from.
-
-    "Remove the lid and bake" is said of what is in the pot, and "bake the oven" of nothing: it is where one bakes.
-    ``listed`` are the objects as the table of utensils has them.
-    """
-    does = tables().motion(motion)
-    if not (does.source and "heat" in does.does and listed):
-        return action
-    if all(row is not None and row.role in {"lid", "tool", "wrap"} for row in listed):
-        return replace(action, objects=())
-    if all(row is not None and row.source == does.source for row in listed):
-        places = (*action.places, *(Place("in", one.name) for one in action.objects))
-        return replace(action, objects=(), places=places)
-    return action
-
-
-def _source(name: str) -> str:
-    """Return what comes from a utensil, as "heat", "cold" or "water"; ``""`` where nothing does."""
-    row = tables().utensil(name)
-    return row.source if row is not None else ""
-
-
 def _dish_of(name: str) -> str:
     """Return the dish in the name of a recipe, the bread of "easy banana bread 2"; ``""`` where there is none."""
     last = next((word for word in reversed(words(name)) if len(word) > 1), "")
@@ -348,22 +315,29 @@ def plain_name(name: str) -> str:
     return " ".join(word for word in words if word.lower() not in _ARTICLES)[:80].strip()
 
 
+def _plain_or_none(name: str | None) -> str | None:
+    return plain_name(name or "") or None
+
+
 def _mark_goal(rows: list[DraftUnit | LeftOut], dish_type: str, precedents: FoonPrecedents) -> None:
     """Mark the last food that is made of several, else the last that is made; it stands last in its unit."""
-    made: list[tuple[int, Participant]] = []
-    for place, row in enumerate(rows):
-        outputs = row.annotation.unit.outputs if isinstance(row, DraftUnit) else ()
-        foods = [one for one in outputs if not precedents.kitchen.is_utensil(one.node.label)]
-        if foods:
-            made.append((place, max(foods, key=lambda one: len(one.node.ingredients))))
-    if not made:
-        return
-    several = [(place, food) for place, food in made if len(food.node.ingredients) > 1]
-    place, goal = (several or made)[-1]
-    row = rows[place]
-    if isinstance(row, DraftUnit):
+    made = list(_foods_made(rows, precedents))
+    several = [one for one in made if len(one[2].node.ingredients) > 1]
+    for place, row, goal in (several or made)[-1:]:
         unit = row.annotation.unit
         node = replace(goal.node, ingredients=goal.node.ingredients or (goal.node.label,))
         outputs = (*(one for one in unit.outputs if one is not goal), Participant(node, dish_type=dish_type))
         marked = FunctionalUnit(unit.inputs, unit.motion, outputs, unit.accepts_any)
         rows[place] = replace(row, annotation=Annotation(marked, row.annotation.timing))
+
+
+def _foods_made(
+    rows: Sequence[DraftUnit | LeftOut], precedents: FoonPrecedents
+) -> Iterator[tuple[int, DraftUnit, Participant]]:
+    """Yield the food with most in it that comes out of each unit, with the unit and its place among the rows."""
+    for place, row in enumerate(rows):
+        if isinstance(row, DraftUnit):
+            outputs = row.annotation.unit.outputs
+            foods = [one for one in outputs if not precedents.kitchen.is_utensil(one.node.label)]
+            if foods:
+                yield place, row, max(foods, key=lambda one: len(one.node.ingredients))

@@ -37,20 +37,28 @@ class Handling:
         states = self._after(action, motion, before, like, evidence)
         before = self._as_it_was(before, states)
         after = replace(before, states=states)
+        place = nodes.utensil_place(action)
         others: list[ObjectNode] = []
-        if (place := nodes.utensil_place(action)) is not None and place != name:
+        if place is not None and place != name:
             others = [nodes.vessel(place)]
             after = replace(after, relation=self.maker.precedents.relation(place), container=place)
         if _moves(motion):
-            origin = nodes.origin(name, evidence)
-            if before.container is None and origin is not None and origin not in {place, name}:
-                before = replace(before, relation=self.maker.precedents.relation(origin), container=origin)
-            if place is None and before.container is not None:
-                after = replace(after, relation=None, container=None)
+            before, after = self._moved(before, after, place, evidence)
         # what opens a can opens no fridge: of other utensils no tool is taken over
         shown = like if like.likeness == 1 else Precedents(())
         tools = nodes.tools(action, shown, [place or "", name]) if not _moves(motion) else []
         return self.maker.unit(action, motion, [*others, before, *tools], [*others, after], evidence)
+
+    def _moved(
+        self, before: ObjectNode, after: ObjectNode, place: str | None, evidence: Evidence
+    ) -> tuple[ObjectNode, ObjectNode]:
+        """Return a utensil before and after it is moved, with the place where it was taken, and in it no more."""
+        origin = self.maker.nodes.origin(before.label, evidence)
+        if before.container is None and origin is not None and origin not in {place, before.label}:
+            before = replace(before, relation=self.maker.precedents.relation(origin), container=origin)
+        if place is None and before.container is not None:
+            after = replace(after, relation=None, container=None)
+        return before, after
 
     def _at_first(self, name: str, motion: str, like: Precedents) -> ObjectNode:
         known = like.rows and like.likeness == 1 and not _moves(motion)
@@ -65,14 +73,13 @@ class Handling:
             return with_state(before.states, "on" if motion == TURN_ON else "off")
         if _moves(motion) and not action.results:
             return before.states
-        told = done(action.verb)
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
-        if told is not None:
-            fills = "move" in tables().motion(motion).does
-            states = with_state([one for one in before.states if one != EMPTY or not fills], told)
+        if (told := done(action.verb)) is not None:
+            states = with_state(_states_left(before, motion), told)
         evidence.weigh(share, f"{before.label} taken to become {listed(states)}" if states else "")
-        held = (state for state in states if state != EMPTY or not before.ingredients)
-        return tuple(dict.fromkeys((*held, *action.results)))
+        if before.ingredients:
+            states = _without(states, EMPTY)
+        return tuple(dict.fromkeys((*states, *action.results)))
 
     def _as_it_was(self, before: ObjectNode, states: tuple[str, ...]) -> ObjectNode:
         """Return a utensil that comes for the first time as it must have been: what is opened was closed."""
@@ -88,6 +95,15 @@ class Handling:
 def _moves(motion: str) -> bool:
     """Whether a utensil only comes to another place by the motion, be it the bin."""
     return motions.transfers(motion) or "discard" in tables().motion(motion).does
+
+
+def _states_left(utensil: ObjectNode, motion: str) -> tuple[str, ...]:
+    """Return the states of a utensil without that which a motion ends: what something is put into is not empty."""
+    return _without(utensil.states, EMPTY) if "move" in tables().motion(motion).does else utensil.states
+
+
+def _without(states: tuple[str, ...], gone: str) -> tuple[str, ...]:
+    return tuple(state for state in states if state != gone)
 
 
 def _switching(motion: str, name: str) -> str:

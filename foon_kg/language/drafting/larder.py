@@ -39,13 +39,21 @@ class Larder:
         return any(wanted <= set(name.split()) for name in self.listed)
 
     def _alike(self, wanted: list[str]) -> list[str]:
-        words, head = set(wanted), wanted[-1:]
-        shorter = [name for name in self.listed if words < set(name.split()) and name.split()[-1:] == head]
-        longer = [name for name in self.listed if set(name.split()) < words and name.split()[-1:] == head]
-        unused = [name for name in shorter if name not in self.used]
-        parts = [name for name in self.listed if words < set(name.split()) and name.split()[: len(wanted)] == wanted]
-        return unused[:1] or shorter or longer or parts
+        """Return the ingredients that these words may mean: with the same last word, else those that begin so."""
+        words = set(wanted)
+        ending = [name for name in self.listed if name.split()[-1:] == wanted[-1:]]
+        fuller = [name for name in ending if words < set(name.split())]
+        shorter = [name for name in ending if set(name.split()) < words]
+        return self._unused(fuller)[:1] or fuller or shorter or self._beginning(wanted)
+
+    def _unused(self, names: Iterable[str]) -> list[str]:
+        return [name for name in names if name not in self.used]
+
+    def _beginning(self, wanted: list[str]) -> list[str]:
+        """Return the ingredients whose longer names begin with these words: the chicken of chicken thighs."""
+        begin = (name for name in self.listed if name.split()[: len(wanted)] == wanted)
+        return [name for name in begin if set(wanted) < set(name.split())]
 
     def left(self) -> tuple[Mention, ...]:
         """Return what nobody has used yet."""
-        return tuple(one for name, one in self.listed.items() if name not in self.used)
+        return tuple(self.listed[name] for name in self._unused(self.listed))

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Motion
 from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.language.drafting.evidence import IMPLIED, Evidence
 from foon_kg.language.drafting.nodes import NodeDrafter
@@ -18,7 +19,6 @@ from foon_kg.language.drafting.scene import Scene, filled
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Timing
 from foon_kg.model.narration import NarratedAction
 
-_COOKS = frozenset({"heat", "warm"})
 _READY = word_list("is made ready for the oven")
 TURN_ON, TURN_OFF = "turn on", "turn off"
 
@@ -91,16 +91,14 @@ class Maker(OfNodes):
         It is the one that is told, else one that is on, else the usual one.
         """
         known = tables().motion(motion)
-        if known.source not in {"heat", "cold"} or not known.does - {"switch on"} or known.does <= {"warm"} == _COOKS:
+        if known.source not in {"heat", "cold"} or not _works_on_food(known):
             return None
         for name in action.instruments:
-            if (row := tables().utensil(name)) is not None and row.source == known.source:
+            if _gives(name, known.source):
                 return name
         running = [node.label for node in self.scene.utensils.values() if self.precedents.kitchen.is_running(node)]
-        fit = [name for name in running if (row := tables().utensil(name)) is not None and row.source == known.source]
-        usual = "chills" if known.source == "cold" else "bakes" if "dry" in known.does else "cooks"
-        names = sorted(word_list(usual))
-        return next((name for name in fit if name in names), names[0])
+        usual = sorted(_usual_appliances(known))
+        return next((name for name in running if name in usual and _gives(name, known.source)), usual[0])
 
     def lit(self, appliance: str, action: NarratedAction) -> list[DraftUnit]:
         """Return the unit that nobody told before ``action``: an ``appliance`` that heats must have been turned on."""
@@ -123,3 +121,21 @@ class Maker(OfNodes):
         if heater is not None and "microwave" in heater.group:
             return "microwave" in row.can
         return not row.can.isdisjoint({"bake"} if "dry" in tables().motion(motion).does else {"cook", "heat"})
+
+
+def _gives(utensil: str, source: str) -> bool:
+    """Whether heat or cold (``source``) comes from a utensil."""
+    row = tables().utensil(utensil)
+    return row is not None and row.source == source
+
+
+def _works_on_food(motion: Motion) -> bool:
+    """Whether a motion needs its heat or cold for food: to turn an oven on needs no other one."""
+    return bool(motion.does - {"switch on"})
+
+
+def _usual_appliances(motion: Motion) -> frozenset[str]:
+    """Return the appliances of which a cook takes one for a motion where nobody says which."""
+    if motion.source == "cold":
+        return word_list("chills")
+    return word_list("bakes" if "dry" in motion.does else "cooks")

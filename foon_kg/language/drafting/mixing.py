@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.food import tables
@@ -26,15 +26,16 @@ class Mixing:
 
     def vessel(self, action: NarratedAction) -> str | None:
         """Return the vessel in which an action mixes: as told, where its things are, ``None`` for an empty one."""
-        scene = self.maker.scene
         if (told := self.maker.nodes.utensil_place(action)) is not None:
             return told
-        for names in ([place.name for place in action.places], [one.name for one in action.objects]):
-            at = [scene.foods[name].container for name in names if name in scene.foods]
-            inside = [vessel for vessel in at if vessel is not None and self._holds(vessel)]
-            if inside:
-                return max(inside, key=lambda vessel: (len(scene.held(vessel)) > 1, vessel == scene.focus))
-        return None
+        return self._around(place.name for place in action.places) or self._around(one.name for one in action.objects)
+
+    def _around(self, foods: Iterable[str]) -> str | None:
+        """Return the vessel in which one of ``foods`` is and can be mixed; one with others in it before others."""
+        scene = self.maker.scene
+        at = [scene.foods[name].container for name in foods if name in scene.foods]
+        inside = [vessel for vessel in at if vessel is not None and self._holds(vessel)]
+        return max(inside, key=lambda one: (len(scene.held(one)) > 1, one == scene.focus), default=None)
 
     def members(self, action: NarratedAction, vessel: str | None) -> tuple[str, ...]:
         """Return all that ``action`` mixes: the objects, what they go into, and what is in the ``vessel``."""
@@ -55,16 +56,9 @@ class Mixing:
             at = self._empty_one(precedents.vessel_of(motion))
             evidence.weigh(IMPLIED, f"nobody says in what: taken as the {at}")
         likes = {one.name: precedents.of(motion, one.name) for one in action.objects}
+        nodes.vessel(at)  # foods that come for the first time come after it
+        foods = self._foods(action, names, at, likes, evidence)
         vessel = nodes.vessel(at)
-        said = {one.name: one for one in action.objects}
-        owns = [Evidence() for _ in names]
-        foods = [
-            nodes.there(said.get(name, Mention(name)), likes.get(name, Precedents(())), own, away_from=at)
-            for name, own in zip(names, owns, strict=True)
-        ]
-        vessel = nodes.vessel(at)
-        evidence.weigh_states(min(own.states for own in owns) * SOMETHING)
-        evidence.doubts += [doubt for own in owns for doubt in own.doubts]
         left, gone = nodes.sources(food for food in foods if food.container != at)
         tools = nodes.tools(action, next(iter(likes.values()), Precedents(())), [at, *(node.label for node in left)])
         mixture = self._mixture(action, motion, foods, at, evidence)
@@ -74,6 +68,25 @@ class Mixing:
         held = replace(filled(vessel, [mixture.label]), ingredients=(mixture.label,))
         inputs = [vessel, *left, *foods, *tools]
         return (self.maker.unit(action, motion, inputs, [held, mixture, *gone], evidence),)
+
+    def _foods(
+        self,
+        action: NarratedAction,
+        names: Sequence[str],
+        at: str,
+        likes: Mapping[str, Precedents],
+        evidence: Evidence,
+    ) -> list[ObjectNode]:
+        """Return the foods that are mixed in ``at``, as they are; they are as sure as the least sure of them."""
+        said = {one.name: one for one in action.objects}
+        owns = [Evidence() for _ in names]
+        foods = [
+            self.maker.nodes.there(said.get(name, Mention(name)), likes.get(name, Precedents(())), own, away_from=at)
+            for name, own in zip(names, owns, strict=True)
+        ]
+        evidence.weigh_states(min(own.states for own in owns) * SOMETHING)
+        evidence.doubts += [doubt for own in owns for doubt in own.doubts]
+        return foods
 
     def _mixture(
         self, action: NarratedAction, motion: str, foods: Sequence[ObjectNode], at: str, evidence: Evidence

@@ -58,23 +58,26 @@ class NodeDrafter:
         It is in ``at`` where that is given, and never in ``away_from``. What is ``brought`` leaves the hand, and comes
         from where it was taken. ``evidence`` weighs what is guessed.
         """
-        origin = self.origin(mention.name, evidence) if brought else None
+        origin = self._utensil_of_origin(mention.name, evidence) if brought else None
         known = self.scene.foods.get(mention.name)
         if known is not None:
-            if origin is not None and known.container is None and self.precedents.kitchen.is_utensil(origin):
+            if origin is not None and known.container is None:
                 known = replace(known, relation=self.precedents.relation(origin), container=origin)
             evidence.weigh_states(self.scene.sure.get(mention.name, 1.0))
             return known
         states, (relation, container) = self._start(mention, like, evidence)
-        if origin is not None and self.precedents.kitchen.is_utensil(origin):
-            relation, container = self.precedents.relation(origin), origin
-        elif at is not None:
-            relation, container = self.precedents.relation(at), at
+        if (told := origin or at) is not None:
+            relation, container = self.precedents.relation(told), told
         elif container is not None and self._is_elsewhere(container, away_from):
             relation, container = None, None  # the FOON's bowl is another one than the bowl of this dish
         node = ObjectNode(mention.name, states, (), relation, container)
         self._place(node)
         return node
+
+    def _utensil_of_origin(self, name: str, evidence: Evidence) -> str | None:
+        """Return the utensil from which a thing that is put was taken, ``None`` where nobody said so."""
+        origin = self.origin(name, evidence)
+        return origin if origin is not None and self.precedents.kitchen.is_utensil(origin) else None
 
     def _is_elsewhere(self, container: str, away_from: str | None) -> bool:
         """Whether the place that the FOON has for a food is none of this dish: in use, or a food that is not there."""
@@ -86,18 +89,11 @@ class NodeDrafter:
 
         What the FOON has before such an action counts first; where that is too unlike, what it has of the food itself.
         """
-        own = self.precedents.start(mention.name) if like.likeness < _TRUSTED else None
-        if own is None and like.rows and like.likeness != UNSEEN:
+        trusted = like.likeness >= _TRUSTED or self.precedents.start(mention.name) is None
+        if trusted and like.rows and like.likeness != UNSEEN:
             return self._start_like(mention, like, evidence)
-        known = own or self.precedents.start(mention.name)
-        if known is None and not mention.states:
-            known = self._start_unseen(mention.name, evidence)
-        if known is not None:
-            return mention.states or known[0], known[1]
-        made = not {*canonical(mention.name).split()[-1:]}.isdisjoint(tables().unfinished)
-        states = mention.states or (() if made else ("whole",))
-        evidence.weigh_states(UNSEEN, f"{mention.name} was never seen before: taken as {listed(states)}")
-        return states, _NOWHERE
+        states, place = self.precedents.start(mention.name) or self._start_unseen(mention, evidence)
+        return mention.states or states, place
 
     def _start_like(self, mention: Mention, like: Precedents, evidence: Evidence) -> Start:
         """Return how a food is before such actions in the FOON, or before what is done to it later in the recipe."""
@@ -114,7 +110,17 @@ class NodeDrafter:
         evidence.weigh(max(share_of_place, UNSEEN))
         return states, place
 
-    def _start_unseen(self, name: str, evidence: Evidence) -> Start | None:
+    def _start_unseen(self, mention: Mention, evidence: Evidence) -> Start:
+        """Return how a food is that the FOON never saw: as told, else as another, else whole; what is made is not."""
+        known = None if mention.states else self._start_like_another(mention.name, evidence)
+        if known is not None:
+            return known
+        made = not {*canonical(mention.name).split()[-1:]}.isdisjoint(tables().unfinished)
+        states = mention.states or (() if made else ("whole",))
+        evidence.weigh_states(UNSEEN, f"{mention.name} was never seen before: taken as {listed(states)}")
+        return states, _NOWHERE
+
+    def _start_like_another(self, name: str, evidence: Evidence) -> Start | None:
         """Return how a food that the FOON never saw is: as it is sold, else as the nearest food that it saw."""
         if as_sold := tables().foods.food(name).sold_as:
             evidence.weigh_states(_SOLD_SO, f"{name} was never seen before: taken as {as_sold}, as it is sold")
@@ -199,20 +205,37 @@ class NodeDrafter:
             label = self._place_called(place.name)
             if label != mention.name:
                 return label if self.precedents.kitchen.is_utensil(label) else self._food_place(label)
-        focus = self.scene.focus if "discard" not in tables().motion(action.verb).does else None
-        if focus is not None and focus == before.container and len(self.scene.held(focus)) > 1:
-            return focus  # it is there already
-        if focus is not None and focus != before.container and self.scene.held(focus):
-            evidence.weigh(SOMETHING - 0.05, f"nobody says where to: taken as the {focus}")
+        discarded = "discard" in tables().motion(action.verb).does
+        if not discarded and (focus := self._vessel_at_hand(before, evidence)) is not None:
             return focus
-        if like.rows:
-            (_, container), share = like.place_after()
-            there = container in self.scene.foods or self.precedents.kitchen.is_utensil(container or "")
-            if container is not None and there and container not in (before.container, mention.name):
-                evidence.weigh(share * SOMETHING, f"nobody says where to: taken as the {container}")
-                return container
+        if (usual := self._usual_target(like, before, evidence)) is not None:
+            return usual
         evidence.weigh(IMPLIED, "nobody says where to")
         return None
+
+    def _vessel_at_hand(self, food: ObjectNode, evidence: Evidence) -> str | None:
+        """Return the vessel at hand, in which something is, where a food may come to it or is there already."""
+        focus = self.scene.focus
+        if focus is None:
+            return None
+        if focus == food.container:
+            return focus if len(self.scene.held(focus)) > 1 else None
+        if not self.scene.held(focus):
+            return None
+        evidence.weigh(SOMETHING - 0.05, f"nobody says where to: taken as the {focus}")
+        return focus
+
+    def _usual_target(self, like: Precedents, food: ObjectNode, evidence: Evidence) -> str | None:
+        """Return where the FOON brings such a food, if that is there and it is not in it already."""
+        if not like.rows:
+            return None
+        (_, container), share = like.place_after()
+        if container is None or container in {food.container, food.label}:
+            return None
+        if container not in self.scene.foods and not self.precedents.kitchen.is_utensil(container):
+            return None
+        evidence.weigh(share * SOMETHING, f"nobody says where to: taken as the {container}")
+        return container
 
     def _food_place(self, label: str) -> str:
         if label not in self.scene.foods:

@@ -72,11 +72,14 @@ class Precedents:
         if alike:
             return _commonest((row.after, row.weight) for row in alike)
         (gone, come), share = _commonest((_change(row), row.weight) for row in self.rows)
-        survive = {state for row in self.rows for state in {*row.before} & {*row.after}}
-        lost = {state for row in self.rows for state in {*row.before} - {*row.after}} - survive
         classes = {state_class(state)[0] for state in come}
-        kept = {state for state in {*before} - {*gone} - lost if state_class(state)[0] not in classes}
+        kept = {state for state in {*before} - {*gone} - self._lost() if state_class(state)[0] not in classes}
         return tuple(sorted({*come} | kept)), share
+
+    def _lost(self) -> set[str]:
+        """Return the states that some row loses and none keeps."""
+        survive = {state for row in self.rows for state in {*row.before} & {*row.after}}
+        return {state for row in self.rows for state in {*row.before} - {*row.after}} - survive
 
     def keeps(self, before: States) -> bool:
         """Return whether rows have these states ``before``: what they say counts, even that states stay as they are."""
@@ -112,19 +115,15 @@ class FoonPrecedents:
     def __init__(self, units: Iterable[KnownUnit], kitchen: Kitchen) -> None:
         self.kitchen = kitchen
         known = list(units)
-        rows = [row for unit in known for row in _rows(unit, kitchen)]
-        self._by_motion: defaultdict[str, list[Seen]] = defaultdict(list)
-        for row in rows:
-            self._by_motion[row.motion].append(row)
         self.verbs = Verbs(tuple(sorted({unit.unit.motion for unit in known})))
+        self._by_motion: defaultdict[str, list[Seen]] = defaultdict(list)
         self._merging: defaultdict[str, list[bool]] = defaultdict(list)
-        for unit in known:
-            foods = [node.label for node in unit.unit.input_nodes if kitchen.is_food(node)]
-            left = {node.label for node in unit.unit.output_nodes}
-            if len(set(foods)) > 1:
-                self._merging[unit.unit.motion].append(sum(food in left for food in foods) * 2 < len(foods))
         self._nodes = Counter[ObjectNode]()
         for unit in known:
+            for row in _rows(unit, kitchen):
+                self._by_motion[row.motion].append(row)
+            if (merges := _makes_one(unit.unit, kitchen)) is not None:
+                self._merging[unit.unit.motion].append(merges)
             for node in {*unit.unit.input_nodes, *unit.unit.output_nodes}:
                 self._nodes[node] += len(unit.seen_in)
 
@@ -194,17 +193,18 @@ class FoonPrecedents:
 
         ``None`` where the FOON does not have it.
         """
-        nodes = [
-            (node, count)
-            for node, count in self._nodes.items()
-            if canonical(node.label) == canonical(label) and not node.ingredients
-        ]
+        nodes = self._bare(canonical(label))
         starts = [(node, count) for node, count in nodes if not self.kitchen.processed_states(node)] or nodes
         if not starts:
             return None
         states, _ = _commonest((node.states, count) for node, count in starts)
         place, _ = _commonest(((node.relation, node.container), n) for node, n in starts if node.states == states)
         return _plain(states), place
+
+    def _bare(self, name: str) -> list[tuple[ObjectNode, int]]:
+        """Return the nodes of a canonical name with nothing in or on them, and how often each was seen."""
+        alike = ((node, n) for node, n in self._nodes.items() if canonical(node.label) == name)
+        return [(node, count) for node, count in alike if not node.ingredients]
 
     def relation(self, container: str) -> str:
         """Return the word that the FOON puts before ``container``; "in" for one that it does not know."""
@@ -292,6 +292,13 @@ def _rows(known: KnownUnit, kitchen: Kitchen) -> Iterator[Seen]:
             vessel,
             len(known.seen_in),
         )
+
+
+def _makes_one(unit: FunctionalUnit, kitchen: Kitchen) -> bool | None:
+    """Return whether a unit makes one thing of its foods, most of which are by themselves no more; ``None`` of one."""
+    foods = [node.label for node in unit.input_nodes if kitchen.is_food(node)]
+    left = {node.label for node in unit.output_nodes}
+    return sum(food in left for food in foods) * 2 < len(foods) if len(set(foods)) > 1 else None
 
 
 def _tools(unit: FunctionalUnit, kitchen: Kitchen) -> tuple[str, ...]:

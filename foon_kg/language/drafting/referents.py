@@ -77,51 +77,72 @@ class Referents:
         name = mention.name
         if (mixed := self._dry_or_wet(name)) is not None:
             return [Mention(mixed)]
-        if is_everything(name) or is_outside(name):
-            if ingredients := self._ingredients(name, action.said):
-                return ingredients
-            several = [*self.scene.foods][-_BOTH:] if name.lower() in _SEVERAL else []
-            return [Mention(label) for label in several or self._everything(name, besides)]
+        if speaks_of_all(name):
+            return self._ingredients(name, action.said) or self._all_of(name, besides)
         label = self.thing(name, besides) or (self._merged(name) if merged else None)
         if label is None or (label in self.scene.foods and self._greases(action, name, label)):
             return [self._new(mention)]
         return [Mention(label, mention.states)]
+
+    def _all_of(self, name: str, besides: frozenset[str]) -> Sequence[Mention]:
+        """Return the things of the scene that "all", "it" or "both" mean."""
+        several = [*self.scene.foods][-_BOTH:] if name.lower() in _SEVERAL else []
+        return [Mention(label) for label in several or self._everything(name, besides)]
 
     def turned(self, action: NarratedAction) -> NarratedAction:
         """Return the ``action`` "pour over the cream" as "pour the cream over" where no cream is there to pour onto."""
         if action.objects or len(action.places) != 1 or not self._hand():
             return action
         (place,) = action.places
-        if place.relation != "over" or self.precedents.kitchen.is_utensil(place.name):
-            return action
-        called = dict(self.called)
-        words = canonical(place.name).split()
-        there = is_everything(place.name) or is_outside(place.name) or self.thing(place.name) is not None
-        self.called = called
-        if there or (len(words) == 1 and self._is_dish(words)):
+        if place.relation != "over" or self.precedents.kitchen.is_utensil(place.name) or self._is_there(place.name):
             return action
         return replace(action, objects=(Mention(place.name),), places=(Place("into", IT),))
+
+    def _is_there(self, name: str) -> bool:
+        """Whether ``name`` speaks of something that is there by now, if only as "the cake" speaks of any dish."""
+        words = canonical(name).split()
+        there = speaks_of_all(name) or self._would_mean(name) is not None
+        return there or (len(words) == 1 and self._is_dish(words))
+
+    def _would_mean(self, name: str, besides: frozenset[str] = frozenset()) -> str | None:
+        """Return what :meth:`thing` returns, and call no mixture by this name from here on."""
+        called = dict(self.called)
+        found = self.thing(name, besides)
+        self.called = called
+        return found
 
     def places(self, action: NarratedAction) -> tuple[Place, ...]:
         """Return the places of an action by their names in the scene; what is no place is left out."""
         besides = frozenset(filter(None, (self._already(one.name, action) for one in action.objects)))
         besides |= frozenset() if action.objects else frozenset(self._hand())
-        found = []
-        for place in action.places:
-            name = place.name
-            if self.precedents.kitchen.is_utensil(name):
-                found.append(Place(place.relation, self._vessel(name, action.said)))
-            elif (mixed := self._dry_or_wet(name)) is not None:
-                found.append(Place(place.relation, mixed))
-            elif is_everything(name) or is_outside(name):
-                found += [Place(place.relation, label) for label in self._greased() or self._hand()]
-            elif (label := self.thing(name, besides) or self._merged(name)) is not None:
-                found.append(Place(place.relation, label))
-            elif self._is_dish(canonical(name).split()) and (vessel := self.scene.lying(besides)) is not None:
-                found.append(Place("into", vessel))
-            elif canonical(name).split()[-1] not in _SHAPES:
-                found.append(Place(place.relation, self._new(Mention(name)).name))
+        found = [one for place in action.places for one in self._place(place, action.said, besides)]
         return tuple(dict.fromkeys(found))
+
+    def _place(self, place: Place, said: str, besides: frozenset[str]) -> Sequence[Place]:
+        """Return what one place means: things of the scene, else one that comes for the first time; a shape is none.
+
+        ``said`` are the words of the action, ``besides`` is what the place cannot mean.
+        """
+        labels = self._labels_of(place.name, said, besides)
+        if labels is not None:
+            return [Place(place.relation, label) for label in labels]
+        words = canonical(place.name).split()
+        if self._is_dish(words) and (vessel := self.scene.lying(besides)) is not None:
+            return [Place("into", vessel)]
+        if words[-1] in _SHAPES:
+            return []
+        return [Place(place.relation, self._new(Mention(place.name)).name)]
+
+    def _labels_of(self, name: str, said: str, besides: frozenset[str]) -> Sequence[str] | None:
+        """Return the things that are there already and that a place means by ``name``, ``None`` where it is none."""
+        if self.precedents.kitchen.is_utensil(name):
+            return [self._vessel(name, said)]
+        if (mixed := self._dry_or_wet(name)) is not None:
+            return [mixed]
+        if speaks_of_all(name):
+            return self._greased() or self._hand()
+        label = self.thing(name, besides) or self._merged(name)
+        return None if label is None else [label]
 
     def thing(self, name: str, besides: frozenset[str] = frozenset()) -> str | None:
         """Return the thing of the scene that ``name`` speaks of, none of ``besides``.
@@ -133,14 +154,19 @@ class Referents:
         words = canonical(name).split()
         if self.title is None:
             return self._mixture(words, besides) if words[-1] in _MIXED and not self._is_bought(name) else None
-        _, bare = split_name(name)
-        if bare != name and (known := self.scene.called(bare)) is not None:
-            return known
-        if len(words) > 1 and words[-1] in _SHAPES and (known := self.scene.called(" ".join(words[:-1]))) is not None:
+        if (known := self._called_in_short(name, words)) is not None:
             return known
         if words[-1] in _MIXED or words[-1] in tables().unfinished:
             return self._mixture(words, besides)
         return self._product(words, besides) or self._of_kind(name)
+
+    def _called_in_short(self, name: str, words: Sequence[str]) -> str | None:
+        """Return the thing of the scene that ``name`` speaks of without its states, or without its shape."""
+        _, bare = split_name(name)
+        if bare != name and (known := self.scene.called(bare)) is not None:
+            return known
+        shaped = len(words) > 1 and words[-1] in _SHAPES
+        return self.scene.called(" ".join(words[:-1])) if shaped else None
 
     def _of_kind(self, name: str) -> str | None:
         """Return the only thing of the scene that is of the kind that ``name`` is: the spaghetti that pasta is."""
@@ -207,23 +233,29 @@ class Referents:
         """Return the mixture that has what ``words`` say in it, the latest one; of those at hand only if it must be."""
         last = [label for label in reversed(self.scene.made()) if label not in besides]
         said = set(words[:-1]) - _DETERMINERS
-        having = [label for label in last if said & self._words_in(label)] if said else last
-        if not having and said:
-            having = [label for label in reversed(self.scene.foods) if said & set(canonical(label).split())]
+        having = self._with_words(said, last) if said else last
         if not having and words[-1] in {MIXTURE, "mix"} and not tables().foods.is_listed(" ".join(words)):
             having = sorted(last, key=lambda label: self.scene.foods[label].container == self.scene.focus)
         if not having:
             return None
-        name = " ".join(words)
-        if words[-1] in _MIXED and words[-1] != MIXTURE and having[0].endswith(MIXTURE) and not self.scene.called(name):
-            self.called.setdefault(having[0], name)
+        self._call(having[0], words)
         return having[0]
+
+    def _with_words(self, said: set[str], mixtures: Sequence[str]) -> Sequence[str]:
+        """Return the ``mixtures`` that have a food of these words in them, else the foods that are called so."""
+        having = [label for label in mixtures if said & self._words_in(label)]
+        return having or [label for label in reversed(self.scene.foods) if said & set(canonical(label).split())]
+
+    def _call(self, label: str, words: Sequence[str]) -> None:
+        """Note that a mixture that nobody named is called by ``words`` now: the dough."""
+        name = " ".join(words)
+        names_it = words[-1] in _MIXED and words[-1] != MIXTURE
+        if names_it and label.endswith(MIXTURE) and not self.scene.called(name):
+            self.called.setdefault(label, name)
 
     def _product(self, words: Sequence[str], besides: frozenset[str]) -> str | None:
         """Return what was made last, where its name is that of a dish or of a shape: the cookies, the balls."""
-        ends = (" ".join(words[place:]) for place in range(len(words) - 1))
-        bought = any(tables().foods.is_listed(end) for end in ends)  # a few ice cubes
-        if not self._is_dish(words) and (words[-1] not in _SHAPES or bought):
+        if not self._is_dish(words) and not _is_shaped(words):
             return None
         made = [label for label in reversed(self.scene.made()) if label not in besides]
         if not made and words[-1] in _SHAPES:
@@ -248,11 +280,8 @@ class Referents:
         words = canonical(name).split()
         if (known := self.scene.called(name)) is not None or not words or words[-1] not in _MIXED:
             return known
-        called = dict(self.called)
         joins = all(is_everything(place.name) for place in action.places)
-        found = self.thing(name, frozenset(self._hand()) if joins else frozenset())
-        self.called = called
-        return found
+        return self._would_mean(name, frozenset(self._hand()) if joins else frozenset())
 
     def _words_in(self, label: str) -> set[str]:
         node = self.scene.foods[label]
@@ -286,12 +315,11 @@ class Referents:
         return self.scene.at_hand()
 
     def _everything(self, name: str, besides: frozenset[str]) -> tuple[str, ...]:
+        last = tuple(food for food in self.scene.last if food in self.scene.foods and food not in besides)
         if name.lower() in PRONOUNS and self.scene.last:
-            there = tuple(food for food in self.scene.last if food in self.scene.foods and food not in besides)
-            return there or self._at_hand(besides)
+            return last or self._at_hand(besides)
         if canonical(name) == MIXTURE and (mixture := self._mixture([MIXTURE], besides)) is not None:
             return (mixture,)
-        last = (food for food in self.scene.last if food in self.scene.foods and food not in besides)
         return tuple(dict.fromkeys((*self._at_hand(besides), *last)))
 
     def _ingredients(self, name: str, said: str) -> list[Mention]:
@@ -341,7 +369,18 @@ def is_everything(name: str) -> bool:
 
 def is_outside(name: str) -> bool:
     """Whether a name is that of a side or top of what is at hand."""
-    return canonical(name).split()[-1:] != [] and canonical(name).split()[-1] in _ON_TOP
+    return not _ON_TOP.isdisjoint(canonical(name).split()[-1:])
+
+
+def speaks_of_all(name: str) -> bool:
+    """Whether a name is a pronoun, speaks of all that is there, or of its outside: no food is called so."""
+    return is_everything(name) or is_outside(name)
+
+
+def _is_shaped(words: Sequence[str]) -> bool:
+    """Whether a name is that of a shape into which something was made, and of nothing bought: a few ice cubes."""
+    ends = (" ".join(words[place:]) for place in range(len(words) - 1))
+    return words[-1] in _SHAPES and not any(tables().foods.is_listed(end) for end in ends)
 
 
 def is_mixed(name: str) -> bool:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
-from itertools import chain
+from dataclasses import replace
 from pathlib import Path
 
 from foon_kg.language.drafting.drafts import Draft, DraftFile, DraftRow, DraftUnit, LeftOut
@@ -19,7 +19,7 @@ from foon_kg.loaders.notices import ReadResult, Severity, UnreadableFile
 from foon_kg.loaders.paths import decode
 from foon_kg.loaders.times import write_timing
 from foon_kg.loaders.video_tables import is_video_table, read_thing, read_video_text
-from foon_kg.model import ObjectNode, Participant, Subgraph, Timing
+from foon_kg.model import Annotation, ObjectNode, Participant, Timing
 from foon_kg.model.errors import ReadError
 from foon_kg.model.regular_files import read_bytes
 
@@ -78,23 +78,29 @@ def read_draft(path: Path) -> DraftFile:
 
 
 def _with_doubts(path: Path, told: Sequence[TableRow], result: ReadResult) -> DraftFile:
-    rejected = {notice.line for notice in result.notices if notice.severity is Severity.REJECTED}
-    if None in rejected and result.notices:
-        worst = next(notice for notice in result.notices if notice.severity is Severity.REJECTED)
-        raise ReadError(f"{path}: {worst.message}", hint="Mend the table.")
+    """Return the draft of the table ``told``, of which ``result`` has the units, in the order of their rows."""
+    rejected = _rejected_lines(path, result)
     units = iter(result.subgraph.annotations if result.subgraph else ())
-    rows: list[DraftRow] = []
-    source = ""
-    for line, row in ((one.line, one.cells) for one in told):
-        annotation = None if line in rejected else next(units)
-        doubts = tuple(doubt.strip() for doubt in row.get("doubt", "").split(BETWEEN_DOUBTS.strip()) if doubt.strip())
-        confidence = _confidence(path, line, row.get("confidence", ""))
-        rows.append(DraftRow(line, annotation, confidence, doubts, row.get("said", "")))
-        source = source or row.get("source", "")
-    subgraph = result.subgraph and Subgraph(
-        result.subgraph.name, result.subgraph.annotations, (source,) if source else ()
-    )
-    return DraftFile(str(path), tuple(rows), subgraph, tuple(map(str, result.notices)))
+    rows = tuple(_draft_row(path, one, None if one.line in rejected else next(units)) for one in told)
+    source = next(filter(None, (one.cells.get("source", "") for one in told)), "")
+    subgraph = result.subgraph and replace(result.subgraph, sources=(source,) if source else ())
+    return DraftFile(str(path), rows, subgraph, tuple(map(str, result.notices)))
+
+
+def _rejected_lines(path: Path, result: ReadResult) -> set[int | None]:
+    """Return the lines that are no units; raises ``ReadError`` where all of a file was rejected."""
+    rejected = [notice for notice in result.notices if notice.severity is Severity.REJECTED]
+    lines = {notice.line for notice in rejected}
+    if None in lines:
+        raise ReadError(f"{path}: {rejected[0].message}", hint="Mend the table.")
+    return lines
+
+
+def _draft_row(path: Path, told: TableRow, annotation: Annotation | None) -> DraftRow:
+    cells = told.cells
+    doubts = filter(None, map(str.strip, cells.get("doubt", "").split(BETWEEN_DOUBTS.strip())))
+    confidence = _confidence(path, told.line, cells.get("confidence", ""))
+    return DraftRow(told.line, annotation, confidence, tuple(doubts), cells.get("said", ""))
 
 
 def _confidence(path: Path, line: int, text: str) -> float:
@@ -113,15 +119,21 @@ def _confidence(path: Path, line: int, text: str) -> float:
 def _unit_cells(row: DraftUnit) -> tuple[str, ...] | None:
     """Return the cells of a unit; ``None`` where a table cannot say it, as what it reads again is another one."""
     unit = row.annotation.unit
-    sides = [[thing(one) for one in side] for side in (unit.inputs, unit.outputs)]
-    plain = [[Participant(one.node, moving=one.moving) for one in side] for side in (unit.inputs, unit.outputs)]
-    if [list(map(read_thing, side)) for side in sides] != plain or any(map(_is_taken_apart, chain(*sides))):
+    sides = (unit.inputs, unit.outputs)
+    texts = [list(map(thing, side)) for side in sides]
+    if not all(map(_are_read_again, texts, sides)):
         return None
     dish = next((one.dish_type for one in unit.outputs if one.dish_type), "")
     motion = unit.motion + (" *" if unit.accepts_any else "")
     start, end = _times(row.annotation.timing)
     doubts = BETWEEN_DOUBTS.join(map(_one_line, row.doubts))
-    return (start, end, motion, *("; ".join(side) for side in sides), dish, f"{row.confidence:.2f}", doubts)
+    return (start, end, motion, *map("; ".join, texts), dish, f"{row.confidence:.2f}", doubts)
+
+
+def _are_read_again(texts: Sequence[str], participants: Sequence[Participant]) -> bool:
+    """Whether a table that has ``texts`` is read as having these participants, but for which of them is the dish."""
+    plain = [Participant(one.node, moving=one.moving) for one in participants]
+    return [read_thing(text) for text in texts] == plain and not any(map(_is_taken_apart, texts))
 
 
 def _is_taken_apart(text: str) -> bool:

@@ -33,6 +33,60 @@ def _covers(action: NarratedAction, motion: str) -> bool:
     return onto and not tables().motion(motion).does.isdisjoint({"coat", "cover", "close"})
 
 
+def _from_elsewhere(foods: Sequence[ObjectNode], at: str | None) -> Sequence[ObjectNode]:
+    """Return those of ``foods`` that are not in the vessel ``at``; none where they need not come anywhere."""
+    return [] if at is None else [node for node in foods if node.container != at]
+
+
+@dataclass(frozen=True)
+class _Doing:
+    """What is done to one food: the ``motion`` of an ``action``, ``like`` what is known, and what speaks for it."""
+
+    action: NarratedAction
+    motion: str
+    like: Precedents
+    evidence: Evidence
+
+
+@dataclass(frozen=True)
+class _Change:
+    """What an action makes of one food: how it is ``before`` and ``after``, and what takes part.
+
+    ``dips`` are the foods that it was put in, ``around`` and ``held`` its vessel before and after.
+    """
+
+    before: ObjectNode
+    after: ObjectNode
+    dips: Sequence[ObjectNode]
+    around: Sequence[ObjectNode]
+    held: Sequence[ObjectNode]
+    tools: Sequence[ObjectNode]
+
+    @property
+    def is_none(self) -> bool:
+        """Whether nothing is otherwise afterwards."""
+        return self.after == self.before and not self.dips
+
+    @property
+    def inputs(self) -> Sequence[ObjectNode]:
+        """All that goes in."""
+        return [*self.around, self.before, *self.dips, *self.tools]
+
+    @property
+    def outputs(self) -> Sequence[ObjectNode]:
+        """All that comes out, but for tools."""
+        return [*self.held, self.after, *self.dips]
+
+
+@dataclass(frozen=True)
+class _Several:
+    """Several foods before and after one action on all of them, in one order, and the ``tools`` of such actions."""
+
+    befores: Sequence[ObjectNode]
+    afters: Sequence[ObjectNode]
+    tools: Sequence[str]
+
+
 @dataclass(frozen=True)
 class UnitDrafter(OfNodes):
     """Drafts units of ``nodes``, and changes their scene as these units do.
@@ -99,6 +153,15 @@ class UnitDrafter(OfNodes):
         brings = motions.transfers(motion) and not covered
         if len(action.objects) > 1 and self._at_once(action, motion, stays=not brings):
             return (self._changed_together(action, motion, evidence),)
+        found = self._one_by_one(action, motion, evidence, brings=brings)
+        left = self._in_scene(action.objects)
+        self.scene.last = left or self._in_scene(action.places)[:1]  # what came onto another food is by itself no more
+        return (as_one(found),) if brings and found else tuple(found)
+
+    def _one_by_one(
+        self, action: NarratedAction, motion: str, evidence: Evidence, *, brings: bool
+    ) -> Sequence[DraftUnit]:
+        """Return the units of each object of an action, which is brought where the motion ``brings``, else changed."""
         found: list[DraftUnit] = []
         for mention in action.objects:
             own = Evidence(list(evidence.shares), list(evidence.doubts))
@@ -106,9 +169,7 @@ class UnitDrafter(OfNodes):
             brought = brings or _covers(action, motion) or self._brings_as_known(action, motion, like)
             drafted = self._bringing.units if brought else self._changed
             found += drafted(action, mention, motion, like, own)
-        left = self._in_scene(action.objects)
-        self.scene.last = left or self._in_scene(action.places)[:1]  # what came onto another food is by itself no more
-        return (as_one(found),) if brings and found else tuple(found)
+        return found
 
     def _with_everything(self, action: NarratedAction) -> NarratedAction:
         """Return an action that mixes with all that is in the vessel among its objects."""
@@ -171,28 +232,35 @@ class UnitDrafter(OfNodes):
         at, away = self._where_and_whither(action)
         onto = self._brought_onto(action, mention, motion)
         action = replace(action, places=tuple(place for place in action.places if place not in onto))
-        moved = self._maker.moved([mention.name], at, action) if at is not None else []
+        moved = self._moved(mention.name, at, action)
         before = self.nodes.there(mention, like, evidence, at=at)
-        with_ = self._foods_of_places(action, mention.name)
-        after = self._after(before, with_, action, like, evidence)
-        if after == before and not like.rows:
-            evidence.doubts.append(f"the FOON does not say what {motion} changes")
-        vessel = self._vessel_around(before, like, told=at is not None)
-        tools = self.nodes.tools(action, like, [node.label for node in vessel])
+        doing = _Doing(action, motion, like, evidence)
+        change = self._change(before, doing, told=at is not None)
+        if change.is_none and (moved or away is not None):  # spread into the pan: so it comes there
+            moved = moved or self._moved(change.after.label, away, action)
+            return [self._told(one, doing) for one in moved]
+        made = self._maker.unit(action, motion, change.inputs, change.outputs, evidence)
+        moved_on = [*self._brought(onto, change.after, action), *self._moved(change.after.label, away, action)]
+        return [*moved, made, *moved_on]
+
+    def _moved(self, food: str, at: str | None, action: NarratedAction) -> list[DraftUnit]:
+        """Return the unit that nobody told by which a food comes to ``at``; none where that is nowhere."""
+        return [] if at is None else self._maker.moved([food], at, action)
+
+    def _change(self, before: ObjectNode, doing: _Doing, *, told: bool) -> _Change:
+        """Return what is made of a food that is there (``before``); ``told`` says that its vessel was told."""
+        action, like = doing.action, doing.like
+        dips = self._foods_of_places(action, before.label)
+        after = self._after(before, dips, doing)
+        around = self._vessel_around(before, like, told=told)
+        tools = self.nodes.tools(action, like, [node.label for node in around])
         if before.container is not None:
             self.scene.focus = before.container
-        held = vessel
-        if action.product is not None:
-            after = self._as_product(before, after)
-            held = [filled(emptied(one, [before.label]), [after.label]) for one in vessel]
-        if after == before and not with_ and (moved or away is not None):  # spread into the pan: so it comes there
-            moved = moved or self._maker.moved([after.label], away or "", action)
-            return [self._told(one, action, motion, evidence) for one in moved]
-        made = self._maker.unit(action, motion, [*vessel, before, *with_, *tools], [*held, after, *with_], evidence)
-        moved_on = self._brought(onto, after, action) if onto else []
-        if away is not None:
-            moved_on += self._maker.moved([after.label], away, action)
-        return [*moved, made, *moved_on]
+        if action.product is None:
+            return _Change(before, after, dips, around, around, tools)
+        after = self._as_product(before, after)
+        held = [filled(emptied(one, [before.label]), [after.label]) for one in around]
+        return _Change(before, after, dips, around, held, tools)
 
     def _where_and_whither(self, action: NarratedAction) -> tuple[str | None, str | None]:
         """Return the utensil in which a food is changed, and the one where it goes then."""
@@ -205,22 +273,17 @@ class UnitDrafter(OfNodes):
             return []
         return [self.nodes.vessel(food.container)]
 
-    def _after(
-        self,
-        before: ObjectNode,
-        with_: Sequence[ObjectNode],
-        action: NarratedAction,
-        like: Precedents,
-        evidence: Evidence,
-    ) -> ObjectNode:
-        """Return a food after an action: in its new states, by its new name, and with the foods that it was put in."""
-        states = self.nodes.become(before, like, action, evidence)
-        after = replace(before, states=states, label=action.product or before.label)
-        if not with_:
-            return after
-        own = self.scene.parts(before)
-        added = dict.fromkeys(part for one in with_ for part in self.scene.parts(one) if part not in own)
-        return replace(after, ingredients=(*before.ingredients, *added))
+    def _after(self, before: ObjectNode, dips: Sequence[ObjectNode], doing: _Doing) -> ObjectNode:
+        """Return a food after what is done: in its new states, by its new name, and with the foods it was put in."""
+        states = self.nodes.become(before, doing.like, doing.action, doing.evidence)
+        after = replace(before, states=states, label=doing.action.product or before.label)
+        if dips:
+            own = self.scene.parts(before)
+            added = dict.fromkeys(part for one in dips for part in self.scene.parts(one) if part not in own)
+            after = replace(after, ingredients=(*before.ingredients, *added))
+        if after == before and not doing.like.rows:
+            doing.evidence.doubts.append(f"the FOON does not say what {doing.motion} changes")
+        return after
 
     def _as_product(self, before: ObjectNode, after: ObjectNode) -> ObjectNode:
         """Return ``after`` as a thing of its own that is made of ``before``, which is by itself no more."""
@@ -236,17 +299,21 @@ class UnitDrafter(OfNodes):
         return tuple(place for place in into if place.name in self.scene.foods)
 
     def _brought(self, onto: Sequence[Place], food: ObjectNode, action: NarratedAction) -> list[DraftUnit]:
+        """Return the unit that nobody told by which a food comes to the foods of ``onto``, if there are any."""
+        if not onto:
+            return []
         motion = self.precedents.bringing(food.label)
         quiet = replace(action, verb=motion, places=tuple(onto), instruments=(), timing=Timing(assumed=True))
         told = Evidence([IMPLIED], [f"nobody says how the {food.label} comes to the {onto[0].name}"])
         like = self.precedents.of(motion, food.label)
         return self._bringing.units(quiet, Mention(food.label), motion, like, told)
 
-    def _told(self, moved: DraftUnit, action: NarratedAction, motion: str, evidence: Evidence) -> DraftUnit:
+    def _told(self, moved: DraftUnit, doing: _Doing) -> DraftUnit:
         """Return a unit that brings food as the motion that was told."""
-        unit = replace(moved.annotation.unit, motion=motion)
-        doubts = tuple(dict.fromkeys(evidence.doubts))
-        return replace(moved, annotation=Annotation(unit, action.timing), confidence=evidence.product(), doubts=doubts)
+        unit = replace(moved.annotation.unit, motion=doing.motion)
+        doubts = tuple(dict.fromkeys(doing.evidence.doubts))
+        annotation = Annotation(unit, doing.action.timing)
+        return replace(moved, annotation=annotation, confidence=doing.evidence.product(), doubts=doubts)
 
     def _foods_of_places(self, action: NarratedAction, besides: str) -> list[ObjectNode]:
         """Return the foods that are told as places: the sugar in which cookies are rolled."""
@@ -258,28 +325,34 @@ class UnitDrafter(OfNodes):
         """Return one unit that changes several foods of one vessel (stir, fry): each becomes what it would alone."""
         at = self.nodes.utensil_place(action) or self.nodes.common_vessel(action)
         vessel = [self.nodes.vessel(at)] if at is not None else []
+        foods = self._each_changed(action, motion, at, evidence)
+        evidence.weigh(evidence.states)
+        left, gone = self.nodes.sources(_from_elsewhere(foods.befores, at))
+        besides = {at, *(node.label for node in left)}
+        used = [self.nodes.vessel(name) for name in action.instruments or foods.tools if name not in besides]
+        labels = tuple(node.label for node in foods.afters)
+        held = [filled(one, labels) for one in vessel]
+        self.scene.focus, self.scene.last = at, labels
+        inputs = [*vessel, *left, *foods.befores, *used]
+        return self._maker.unit(action, motion, inputs, [*held, *foods.afters, *gone], evidence)
+
+    def _each_changed(self, action: NarratedAction, motion: str, at: str | None, evidence: Evidence) -> _Several:
+        """Return the objects of an action before and after it, where they come to ``at``; ``evidence`` weighs all."""
         befores, afters = list[ObjectNode](), list[ObjectNode]()
         tools = dict[str, None]()
         for mention in action.objects:
-            like = self.precedents.of(motion, mention.name)
             own = Evidence()
+            like = self.nodes.like(motion, mention, own)
             before = self.nodes.there(mention, like, own, at=at)
             after = replace(before, states=self.nodes.become(before, like, action, own))
-            evidence.states = min(evidence.states, own.states)
-            evidence.doubts += [*([like.doubt] if like.doubt else []), *own.doubts]
-            tools |= dict.fromkeys(like.tools())
             if at is not None and before.container != at:
                 after = replace(after, relation=self.precedents.relation(at), container=at)
+            evidence.states = min(evidence.states, own.states)
+            evidence.doubts += own.doubts
+            tools |= dict.fromkeys(like.tools())
             befores.append(before)
             afters.append(after)
-        evidence.weigh(evidence.states)
-        leaving = [node for node in befores if at is not None and node.container != at]
-        left, gone = self.nodes.sources(leaving)
-        said = [name for name in action.instruments or tools if name not in {at, *(node.label for node in left)}]
-        held = [filled(vessel[0], [node.label for node in afters])] if vessel else []
-        self.scene.focus, self.scene.last = at, tuple(node.label for node in afters)
-        used = [self.nodes.vessel(name) for name in said]
-        return self._maker.unit(action, motion, [*vessel, *left, *befores, *used], [*held, *afters, *gone], evidence)
+        return _Several(befores, afters, tuple(tools))
 
     def _is_covered(self, action: NarratedAction, motion: str) -> bool:
         """Whether the objects are what something comes onto that nobody names: "season to taste"."""

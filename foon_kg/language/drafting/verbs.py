@@ -37,6 +37,11 @@ class Reading:
     why: str = ""
     idle: bool = False
 
+    @property
+    def likeliest(self) -> str:
+        """The motion that the verb stands for before all others, ``""`` where it stands for none."""
+        return next(iter(self.motions), "")
+
 
 @dataclass(frozen=True, eq=False)
 class Verbs:
