@@ -11,7 +11,8 @@ from foon_kg.model.names import canonical
 from foon_kg.model.node_json import node_to_json
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph.overview import around_label, names_like, size_of
-from foon_kg.store.graph.rows import NamesLikeRow, node_of
+from foon_kg.store.graph.rows import NamesLikeRow
+from foon_kg.store.graph.values import node_of
 from foon_kg.web.words import MOST_UNITS, Kind, Size, Words, no_object, units_to_json
 
 MOST_NAMES = 200

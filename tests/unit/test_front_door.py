@@ -34,7 +34,8 @@ ALLOWED = {
     "store.with_drafts": {"WithDrafts"},  # as Foon.with_drafts returns it
     "store.settings": {"ConnectionSettings"},  # where a FOON is: a value
     "store.graph.overview": None,  # what is asked of the view that Foon.reading_graph opens
-    "store.graph.rows": {"NamesLikeRow", "node_of"},  # what such a view answers
+    "store.graph.rows": {"NamesLikeRow"},  # what such a view answers
+    "store.graph.values": {"node_of"},  # a node out of that
     "store.graph.free_cypher": {"Answer"},  # what Foon.cypher returns
     "validation": None,  # the judge: it knows nothing of planning, and is asked of trees of anybody
 }

@@ -12,7 +12,7 @@ from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import singular
 from foon_kg.similarity.points import indexed_points
 from foon_kg.store.graph.movements import following, movements
-from foon_kg.store.graph.rows import properties_of
+from foon_kg.store.graph.values import properties_of
 from foon_kg.store.offline.tables import EDGES, named
 from foon_kg.store.snapshot import Snapshot, goals_of
 from foon_kg.store.vocabulary import WordCounts

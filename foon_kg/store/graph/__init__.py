@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from foon_kg.store.graph.connection import Connection
     from foon_kg.store.graph.loading import LoadReport, load, remove
-    from foon_kg.store.graph.reading import GraphView, Neo4jGraph
+    from foon_kg.store.graph.neo4j_graph import Neo4jGraph
+    from foon_kg.store.graph.reading import GraphView
     from foon_kg.store.graph.weights import WeightsReport, load_weights
 
 __all__ = ["Connection", "GraphView", "LoadReport", "Neo4jGraph", "WeightsReport", "load", "load_weights", "remove"]
@@ -21,7 +22,7 @@ _HOMES = {
     "Connection": "connection",
     "GraphView": "reading",
     "LoadReport": "loading",
-    "Neo4jGraph": "reading",
+    "Neo4jGraph": "neo4j_graph",
     "WeightsReport": "weights",
     "load": "loading",
     "load_weights": "weights",

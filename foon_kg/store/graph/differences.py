@@ -11,8 +11,8 @@ from foon_kg.model.errors import UsageError
 from foon_kg.plans.difference import VideoDifference, difference, labels_of
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.connection import Connection
-from foon_kg.store.graph.reading import subgraph_of
 from foon_kg.store.graph.statements import ask
+from foon_kg.store.graph.values import subgraph_of
 from foon_kg.store.snapshot import distinct_by_name
 
 

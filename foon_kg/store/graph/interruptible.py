@@ -74,9 +74,14 @@ def _turns(pieces: Sequence[Token], bracket: _Bracket) -> Iterator[Around]:
         condition_ends = bracket.closed if caller in _JUDGING or bar is None else bar
         yield _condition(pieces, own, where, condition_ends)
     elif bar:
-        if any(pieces[place].text == ":" and place < bar for place in own):
-            raise too_much("a label stands bare in a list expression", hint="Put it into brackets: (n:A|B).")
-        yield _looked(bar, next((p for p in own if p > bar and pieces[p].text == ","), bracket.closed))
+        yield _result(pieces, own, bar, bracket.closed)
+
+
+def _result(pieces: Sequence[Token], own: Sequence[int], bar: int, closed: int) -> Around:
+    """Return what is put around what stands behind the bar of ``[x IN … | …]``, up to a comma or what is ``closed``."""
+    if any(pieces[place].text == ":" and place < bar for place in own):
+        raise too_much("a label stands bare in a list expression", hint="Put it into brackets: (n:A|B).")
+    return _looked(bar, next((place for place in own if place > bar and pieces[place].text == ","), closed))
 
 
 def _list_expression(pieces: Sequence[Token], bracket: _Bracket, caller: str) -> Sequence[int]:

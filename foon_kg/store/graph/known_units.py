@@ -8,7 +8,8 @@ from operator import itemgetter
 from typing import Any
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant, Sighting
-from foon_kg.store.graph.rows import KeyedNode, KnownUnitsRow, KnownUnitValue, measures_of, node_of, order
+from foon_kg.store.graph.rows import KeyedNode, KnownUnitsRow, KnownUnitValue
+from foon_kg.store.graph.values import measures_of, node_of, order
 
 _SIGHTING_FIELDS = len(dataclasses.fields(Sighting))
 

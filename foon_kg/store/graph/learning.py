@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections import defaultdict
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence, Set
+from itertools import chain
 from typing import Any
 
 from foon_kg.integration.teaching.operators import MOST_SIGHTINGS
@@ -12,7 +13,7 @@ from foon_kg.model import FunctionalUnit, Subgraph
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.frame_rows import Joins, frame_of, slot_foods
 from foon_kg.store.graph.lifting import Lifted, Tally, is_food, lifted, matter_rows
-from foon_kg.store.graph.rows import SightingValue
+from foon_kg.store.graph.method_rows import SightingValue
 from foon_kg.store.graph.statements import Ask
 from foon_kg.store.graph.taught import Taught
 from foon_kg.store.snapshot import sightings_of
@@ -65,13 +66,16 @@ class Learner:
         self._tally.count(units.values())
         self._joins.count(frames)
         self._make_matters(self._tally.matters() | self._joins.matters() | slot_foods(frames))
-        for subgraph in subgraphs:
-            for unit, seen in sightings_of(subgraph):
-                self._sighted[unit.key].append((seen.video, seen.position, seen.source, seen.start, seen.end))
+        self._note_sightings(subgraphs)
         if units:
             self._ask(cypher.LOAD_OPERATORS, operators=list(_operator_rows(units)))
         if frames:
-            self._ask(cypher.LOAD_FRAMES, frames=[row for one in taught for row in one.rows])
+            self._ask(cypher.LOAD_FRAMES, frames=list(chain.from_iterable(one.rows for one in taught)))
+
+    def _note_sightings(self, subgraphs: Sequence[Subgraph]) -> None:
+        for subgraph in subgraphs:
+            for unit, seen in sightings_of(subgraph):
+                self._sighted[unit.key].append((seen.video, seen.position, seen.source, seen.start, seen.end))
 
     def unlearn(self, gone: Iterable[FunctionalUnit], doubtful: Collection[str]) -> None:
         """Take away what units ``gone`` say; they are among the ``doubtful``, which lost a sighting."""
@@ -112,24 +116,33 @@ class Learner:
         Where some of it went it is found out anew if there may be more than was kept: fewer than that are all.
         """
         found: dict[Pair, Seen] = {pair: ([], []) for pair in pairs}
+        lost = self._add_kept(found)
+        self._add_sighted(found)
+        found.update((pair, ([], [])) for pair in lost)
+        for again in self._ask(cypher.FIRST_SIGHTINGS, pairs=_by_operator(lost), most=MOST_SIGHTINGS) if lost else ():
+            found[again.operator, again.matter] = again.seen, again.changes
+        return found
+
+    def _add_kept(self, found: dict[Pair, Seen]) -> set[Pair]:
+        """Add the evidence that the graph has; return the pairs of which some went, so that others may be missing."""
         lost: set[Pair] = set()
-        for row in self._ask(cypher.EVIDENCE, pairs=_by_operator(pairs)):
+        for row in self._ask(cypher.EVIDENCE, pairs=_by_operator(found)):
             for operator, matter, *kept in row.kept:
                 for sightings, texts in zip(found[operator, matter], kept, strict=True):
                     left = [one for one in map(_sighting_value, texts) if one[0] not in self._forgotten]
                     sightings.extend(left)
                     if len(left) < len(texts) >= MOST_SIGHTINGS:
                         lost.add((operator, matter))
+        return lost
+
+    def _add_sighted(self, found: dict[Pair, Seen]) -> None:
+        """Add the evidence that came since."""
         for unit, new in self._sighted.items():
             operator, done, changes = self._attested[unit]
             for matter in done:
                 seen, changed = found[operator, matter]
                 seen += new
                 changed += new if matter in changes else []
-        found.update((pair, ([], [])) for pair in lost)
-        for again in self._ask(cypher.FIRST_SIGHTINGS, pairs=_by_operator(lost), most=MOST_SIGHTINGS) if lost else ():
-            found[again.operator, again.matter] = again.seen, again.changes
-        return found
 
     def _usual_rows(self, pairs: set[Pair]) -> Iterator[dict[str, Any]]:
         """Yield, for each operator, to which foods it is done more often now, and to which less."""

@@ -123,11 +123,16 @@ def _write(
     writer.forget([subgraph.name for subgraph in changed if subgraph.name in contents])
     writer.add(changed)
     writer.finish()
-    names = {subgraph.name for subgraph in changed}
+    return _report(batch, {subgraph.name for subgraph in changed}, contents)
+
+
+def _report(batch: Sequence[Subgraph], changed: Collection[str], contents: Collection[str]) -> LoadReport:
+    """Return what became of ``batch``, of which ``changed`` were written; ``contents`` was there before."""
+    names = [subgraph.name for subgraph in batch]
     return LoadReport(
-        inserted=tuple(s.name for s in changed if s.name not in contents),
-        replaced=tuple(s.name for s in changed if s.name in contents),
-        unchanged=tuple(s.name for s in batch if s.name not in names),
+        inserted=tuple(name for name in names if name in changed and name not in contents),
+        replaced=tuple(name for name in names if name in changed and name in contents),
+        unchanged=tuple(name for name in names if name not in changed),
     )
 
 

@@ -107,8 +107,15 @@ def _refuse_clause(token: Token, rest: Sequence[Token]) -> None:
         raise _refused(f"{token.text.upper()} is none of a question's matters")
     if token.lower in {"show", "terminate"} and following not in _AFTER_A_NAME:
         raise _refused(f"{token.text.upper()} {following.upper()} is about the server")
-    if token.lower == "use" and rest and (rest[0].text == "(" or (rest[0].name and following not in _AFTER_A_NAME)):
+    if token.lower == "use" and _names_a_database(rest):
         raise _refused("USE asks another database")
+
+
+def _names_a_database(rest: Sequence[Token]) -> bool:
+    """Whether what follows USE is a name or a call: else "use" is a name itself."""
+    if not rest:
+        return False
+    return rest[0].text == "(" or (bool(rest[0].name) and rest[0].name.lower() not in _AFTER_A_NAME)
 
 
 def _refuse_procedure(token: Token, rest: Sequence[Token]) -> None:

@@ -18,7 +18,7 @@ from foon_kg.model import Goal, Sighting
 from foon_kg.model.recent import Recent
 from foon_kg.store.graph.frame_rows import frame_of
 from foon_kg.store.graph.lifting import ANYTHING, KIND
-from foon_kg.store.graph.rows import (
+from foon_kg.store.graph.method_rows import (
     EvidenceValue,
     FrameReadValue,
     FramesRow,
@@ -47,14 +47,8 @@ def frames_of(texts: Iterable[str]) -> tuple[Frame, ...]:
 def operators_of(row: MethodsRow) -> Operators:
     """Return the operators of a ``row``, with all their evidence."""
     found = Operators((), tables())
-    sightings = _Sightings()
     ways: list[Way] = [(motion, tuple(tools)) for motion, tools in row.operators]
-    sightings.read(value for rows in row.evidence for _, value in rows)
-    for way, evidence, appliances in zip(ways, row.evidence, row.appliances, strict=True):
-        for matter, value in evidence:
-            sightings.attest(found, way, matter, value)
-        found.evidence[way].appliances.update(dict(appliances))
-        found.foods |= found.evidence[way].foods.keys()
+    _attest_all(found, ways, row)
     for way, gives, brings, places in zip(ways, row.gives, row.brings, row.places, strict=True):
         for state, count in gives:
             found.giving[state][way] = count
@@ -65,6 +59,17 @@ def operators_of(row: MethodsRow) -> Operators:
     for matter, states in row.states:
         found.states[matter].update(states)
     return found
+
+
+def _attest_all(found: Operators, ways: Sequence[Way], row: MethodsRow) -> None:
+    """Give the operators their evidence: what each of the ``ways`` is done to, where that is seen, and with what."""
+    sightings = _Sightings()
+    sightings.read(value for rows in row.evidence for _, value in rows)
+    for way, evidence, appliances in zip(ways, row.evidence, row.appliances, strict=True):
+        for matter, value in evidence:
+            sightings.attest(found, way, matter, value)
+        found.evidence[way].appliances.update(dict(appliances))
+        found.foods |= found.evidence[way].foods.keys()
 
 
 class _Sightings:

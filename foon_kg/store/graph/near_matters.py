@@ -13,7 +13,7 @@ from foon_kg.similarity.points import Question, question
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.equivalents import FIRST, MORE
 from foon_kg.store.graph.lifting import KIND
-from foon_kg.store.graph.rows import MatterValue, MethodsAskedRow
+from foon_kg.store.graph.method_rows import MatterValue, MethodsAskedRow
 
 _SLACK = 1e-4
 """Points are stored as single floats."""
@@ -46,25 +46,24 @@ class KnownMatters:
         waiting = {food: question(food) for food in sorted(foods) if food not in self.near}
         count = FIRST
         while waiting or kinds - self.kinds:
-            asked = [_asked(food, about) for food, about in waiting.items()]
-            if count > MOST or any(row["least"] <= 0 for row in asked):
+            if count > MOST or not self._look(waiting, kinds, count, ask):
                 return None
-            rows = ask(
-                {
-                    "words": word_lists_key(),
-                    "asked": asked,
-                    "kinds": sorted(kinds - self.kinds),
-                    "known": sorted(self.rows),
-                    "count": count,
-                }
-            )
-            if not rows:
-                return None
-            self.rows.update((row[0], row) for row in rows[0].matters)
-            self.kinds |= kinds
-            self._settle(rows[0].near, waiting, count)
             count *= MORE
         return [self.rows[name] for name in self._matters(foods, kinds) if name in self.rows]
+
+    def _look(self, waiting: dict[str, Question], kinds: set[str], count: int, ask: Ask) -> bool:
+        """Keep what ``count`` points a food tell of foods that are ``waiting`` and of kinds; whether they can tell."""
+        asked = [_asked(food, about) for food, about in waiting.items()]
+        if any(row["least"] <= 0 for row in asked):
+            return False
+        missing, known = sorted(kinds - self.kinds), sorted(self.rows)
+        rows = ask({"words": word_lists_key(), "asked": asked, "kinds": missing, "known": known, "count": count})
+        if not rows:
+            return False
+        self.rows.update((row[0], row) for row in rows[0].matters)
+        self.kinds |= kinds
+        self._settle(rows[0].near, waiting, count)
+        return True
 
     def _settle(
         self, near: Iterable[tuple[str, int, float | None, list[str]]], waiting: dict[str, Question], count: int

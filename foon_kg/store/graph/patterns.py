@@ -109,24 +109,29 @@ def _degree(pattern: str) -> int:
 
 def _begin_of_operand(tokens: Sequence[Token], last: int) -> int:
     """Return where the text begins that ends at ``last``: a string, a bracket, a name with its properties, a call."""
-    opened_at = {closed: opened for opened, closed in partners(tokens).items()}
-    first = last
-    while True:
-        if first in opened_at:
-            first = opened_at[first]
-            if not first or not _is_called_or_indexed(tokens[first - 1], tokens[first]):
-                break
-            first -= 1
-        elif first > 1 and tokens[first - 1].text == ".":
-            first -= 2
-        else:
-            break
+    first = _begin_of_term(tokens, last)
     joined = first > 1 and tokens[first - 1].text == tokens[first - 2].text == "|"
     if not first or (_stands_before(tokens[first - 1]) and not joined):
         return first
     raise too_much(
         "it is not plain which text is held against a pattern", hint="Put what stands before =~ into brackets."
     )
+
+
+def _begin_of_term(tokens: Sequence[Token], last: int) -> int:
+    """Return the same, by brackets and dots alone."""
+    opened_at = {closed: opened for opened, closed in partners(tokens).items()}
+    first = last
+    while True:
+        if first in opened_at:
+            first = opened_at[first]
+            if not first or not _is_called_or_indexed(tokens[first - 1], tokens[first]):
+                return first
+            first -= 1
+        elif first > 1 and tokens[first - 1].text == ".":
+            first -= 2
+        else:
+            return first
 
 
 def _is_called_or_indexed(before: Token, bracket: Token) -> bool:

@@ -2,42 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain, groupby
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, Self, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import neo4j
 
 from foon_kg.food.motion_costs import MotionCosts
-from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
+from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Subgraph
 from foon_kg.model.drafted import MOST_OF_A_DISH_TYPE, DraftedRecipe, Lesson
 from foon_kg.model.errors import SchemaError, TooManyUnitsError
 from foon_kg.model.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
 from foon_kg.plans.kitchen import Kitchen, singular, words
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.answers import nearest_of_each
-from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.edition import Edition
 from foon_kg.store.graph.equivalents import find_equivalents
 from foon_kg.store.graph.kept_rows import KeptRows
 from foon_kg.store.graph.known_units import known_units
 from foon_kg.store.graph.learnt_by import methods_key
+from foon_kg.store.graph.method_rows import FrameReadValue
 from foon_kg.store.graph.methods import CommonMethods, LearntDishes, methods_of
-from foon_kg.store.graph.remembering import keep_trees
-from foon_kg.store.graph.rows import (
-    FrameReadValue,
-    GoalValue,
-    SeenUnit,
-    StateRow,
-    SubgraphRow,
-    measures_of,
-    node_of,
-    timing_of,
-    unit_of,
-)
+from foon_kg.store.graph.rows import StateRow
 from foon_kg.store.graph.schema import check_readable
 from foon_kg.store.graph.statements import (
     BEHIND,
@@ -64,12 +52,11 @@ from foon_kg.store.graph.statements import (
     Statement,
     ask,
 )
+from foon_kg.store.graph.values import goal_of, node_of, subgraph_of
 from foon_kg.store.graph.words import WordsFound, find_words, seen_as
-from foon_kg.store.settings import ConnectionSettings
 
 if TYPE_CHECKING:
     from foon_kg.integration.methods import Methods
-    from foon_kg.store.snapshot import Snapshot
 
 Row = TypeVar("Row")
 
@@ -369,64 +356,3 @@ class GraphView:
     def _ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
         self.round_trips += 1
         return ask(self._transaction, statement, **parameters)
-
-
-class Neo4jGraph:
-    """A FOON kept in Neo4j. Close it, or use it in ``with``.
-
-    It is a :class:`~foon_kg.model.knowledge.KnowledgeGraph`.
-
-    A view begins with one round trip that checks the schema and asks which edition of the FOON it is. What an earlier
-    view of the same edition read is not read again; words and goals not even by another program (``KeptRows``).
-    """
-
-    def __init__(self, settings: ConnectionSettings, kitchen: Kitchen | None = None) -> None:
-        self._connection = Connection(settings)
-        self._kitchen = kitchen or Kitchen.default()
-        self._edition = Edition()
-        self._keeps_trees = True
-
-    @contextmanager
-    def reading(self) -> Iterator[GraphView]:
-        """Open a view. Raises GraphError where no FOON answers, SchemaError for one of another version."""
-        with self._connection.session() as session, session.begin_transaction() as transaction:
-            view = GraphView(transaction)
-            self._edition = view.begin(self._kitchen, self._edition)
-            yield view
-            view.keep()
-        if view.retrieved and self._keeps_trees:
-            self._keeps_trees = keep_trees(self._connection, view.retrieved)
-
-    def snapshot(self) -> Snapshot:
-        """Return the whole FOON in memory."""
-        from foon_kg.store.snapshot import Snapshot  # noqa: PLC0415 - slow to import, and few commands need all
-
-        with self.reading() as view:
-            return Snapshot.of(view.subgraphs(view.video_names()), self._kitchen)
-
-    def close(self) -> None:
-        """Give the sockets back."""
-        self._connection.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-
-def goal_of(row: GoalValue) -> Goal:
-    """Return the goal that travelled as ``row``."""
-    node, dish_type, videos = node_of(row[0]), *row[1:]
-    return Goal(node, dish_type, node.ingredients, tuple(sorted(videos)))
-
-
-def subgraph_of(row: SubgraphRow) -> Subgraph:
-    """Return the subgraph of a ``row``, as it was loaded."""
-    return Subgraph(row.name, tuple(map(_annotation, row.units)), tuple(row.sources))
-
-
-def _annotation(unit: SeenUnit) -> Annotation:
-    _, verb, accepts_any, inputs, outputs, seen = unit
-    measures = measures_of(seen.get("amounts"), seen.get("seconds"), seen.get("celsius"))
-    return Annotation(unit_of(verb, inputs, outputs, seen, accepts_any=accepts_any), timing_of(seen), measures)

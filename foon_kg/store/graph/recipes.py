@@ -265,13 +265,18 @@ def write_recipes(ask: Ask, recipes: Sequence[UnderstoodRecipe], version: str) -
     for one in recipes:
         classes_of_it = [(dish.name, dish.sure) for dish in one.dish_classes]
         counts.count(classes_of_it, [(called.object, called.state) for called in one.ingredients])
+    _write_words(ask, recipes)
+    rows = sorted((_row(recipe, version) for recipe in recipes), key=lambda row: str(row["id"]))
+    ask(cypher.LOAD_RECIPES, recipes=rows)
+    counts.write(ask)
+
+
+def _write_words(ask: Ask, recipes: Sequence[UnderstoodRecipe]) -> None:
+    """Write the foods and dish classes of ``recipes`` that are not there yet."""
     foods = sorted({called.object for recipe in recipes for called in recipe.ingredients})
     classes = sorted({dish.name for recipe in recipes for dish in recipe.dish_classes})
     words = [{"name": food, "canonical": canonical(food)} for food in foods]
     ask(cypher.LOAD_RECIPE_WORDS, ingredients=words, dish_types=classes)
-    rows = sorted((_row(recipe, version) for recipe in recipes), key=lambda row: str(row["id"]))
-    ask(cypher.LOAD_RECIPES, recipes=rows)
-    counts.write(ask)
 
 
 def _row(understood: UnderstoodRecipe, version: str) -> dict[str, object]:

@@ -1,17 +1,13 @@
-"""What travels between Python and Neo4j: the rows that queries answer, and the values of the model in and out of them.
+"""What travels between Python and Neo4j: the rows that queries answer.
 
-An object node travels as ``[label, states, ingredients, relation, container]``. What one video says about a unit beside
-its identity (order, moving flags, dish classes, time) is kept on the ``SEEN_IN`` edge. A side of the unit is written
-there as the ranks of its participants among the distinct nodes of that side in their total order.
+An object node travels as ``[label, states, ingredients, relation, container]``. How values of the model become rows and
+rows values is in :mod:`foon_kg.store.graph.values`; what was learnt of a FOON has rows of its own, in ``method_rows``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
-
-from foon_kg.model import Annotation, FunctionalUnit, Measures, ObjectNode, Participant, Timing
 
 NodeRow = tuple[str, list[str], list[str], str | None, str | None]
 Properties = dict[str, Any]
@@ -33,22 +29,6 @@ on its ``SEEN_IN`` edge."""
 StateRow = tuple[str, list[str], list[int], list[int]]
 """``[state, labels, made, used]``: foods that are seen in a state, and how many units make and use each of them so."""
 
-
-SightingValue = tuple[str, int, str | None, float | None, float | None]
-"""The values of a ``Sighting``: video, position, source, start and end."""
-
-EvidenceValue = tuple[int, int, list[str], list[str]]
-"""``[units, changed, seen, changes]``: how many units of an operator are done to a matter, how many
-change it, and the texts of the first sightings of either."""
-
-MatterValue = tuple[str, list[tuple[int, EvidenceValue]], list[tuple[int, str, int]], list[str]]
-"""``[name, evidence, brings, states]`` of a matter: see :class:`MethodsAskedRow`."""
-
-FrameValue = tuple[str, str, str, list[str], list[str], list[str]]
-"""``[key, dish_type, label, foods, kinds, ends]`` of a frame."""
-
-FrameReadValue = tuple[str, str, list[str]]
-"""``[key, text, videos]`` of a frame; the videos are those that show a way to its goal."""
 
 Counted = list[tuple[str, int]]
 """Names with their counts."""
@@ -315,185 +295,7 @@ class LikelyGoalsRow:
 
 
 @dataclass(frozen=True)
-class AttestedRow:
-    """For each unit its key, that of its operator, what it is done to, and what of that it changes."""
-
-    attested: list[tuple[str, str, list[str], list[str]]]
-
-
-@dataclass(frozen=True)
-class EvidenceRow:
-    """For operators and matters the texts of the sightings that are kept: of all units, and of those that change it."""
-
-    kept: list[tuple[str, str, list[str], list[str]]]
-
-
-@dataclass(frozen=True)
-class FirstSightingsRow:
-    """Where an operator was first seen done to a matter, and first seen to change it."""
-
-    operator: str
-    matter: str
-    seen: list[SightingValue]
-    changes: list[SightingValue]
-
-
-@dataclass(frozen=True)
 class GoneRow:
     """How many nodes and edges went."""
 
     gone: int
-
-
-@dataclass(frozen=True)
-class TextRow:
-    """The text of one frame."""
-
-    text: str
-
-
-PostCount = tuple[str, str, str, str, bool, int]
-"""``[kind, dish_type, work, heated, joins, count]``."""
-
-
-@dataclass(frozen=True)
-class MethodsCommonRow:
-    """What of the methods matters to every question, in no order. Operators go by their numbers in the store.
-
-    ``operators``: number, motion, tools, and evidence for anything. ``usual``: the foods that each is most often done
-    to, and most often changes.
-    """
-
-    operators: list[tuple[int, str, list[str], EvidenceValue]]
-    usual: list[tuple[int, str, EvidenceValue]]
-    gives: list[tuple[int, str, int]]
-    places: list[tuple[int, str, int]]
-    appliances: list[tuple[int, str, int]]
-    brings: list[tuple[int, str, str, int]]
-    states: list[tuple[str, list[str]]]
-    posts: list[PostCount]
-    beside: list[tuple[str, str, int]]
-    cooked: list[tuple[str, str, int]]
-
-
-@dataclass(frozen=True)
-class MethodsAskedRow:
-    """For each asked food the number of points looked at, the cosine of the furthest, and the names of the near ones.
-
-    For each matter the evidence of its operators, from where they bring it (number, role, count), and its states.
-    """
-
-    near: list[tuple[str, int, float | None, list[str]]]
-    matters: list[MatterValue]
-
-
-@dataclass(frozen=True)
-class FramesRow:
-    """All frames, in no order."""
-
-    frames: list[FrameValue]
-
-
-@dataclass(frozen=True)
-class FramesReadRow:
-    """Frames that are looked at closely, in no order."""
-
-    frames: list[FrameReadValue]
-
-
-@dataclass(frozen=True)
-class MethodsRow:
-    """What was learnt of a FOON, in no order. The first seven columns have a value for each operator.
-
-    Of ``brings`` matter, role and count; of ``posts`` kind, dish type, the three parts of the post, and count.
-    """
-
-    operators: list[tuple[str, list[str]]]
-    evidence: list[list[tuple[str, EvidenceValue]]]
-    gives: list[Counted]
-    brings: list[list[tuple[str, str, int]]]
-    places: list[Counted]
-    appliances: list[Counted]
-    states: list[tuple[str, list[str]]]
-    posts: list[PostCount]
-    beside: list[tuple[str, str, int]]
-    cooked: list[tuple[str, str, int]]
-    frames: list[str]
-
-
-def node_of(row: NodeRow) -> ObjectNode:
-    """Return the object node that travelled as ``row``."""
-    label, states, ingredients, relation, container = row
-    return ObjectNode(label, tuple(states), tuple(ingredients), relation, container)
-
-
-def row_of(node: ObjectNode) -> NodeRow:
-    """Return ``node`` as it travels."""
-    return (node.label, list(node.states), list(node.ingredients), node.relation, node.container)
-
-
-def unit_of(
-    verb: str, inputs: Iterable[NodeRow], outputs: Iterable[NodeRow], seen: Properties, *, accepts_any: bool
-) -> FunctionalUnit:
-    """Return the unit ``verb`` as one video has it, with its ``inputs``, its ``outputs`` and how it was ``seen``.
-
-    ``accepts_any`` says that it may take any number of inputs.
-    """
-    ins, outs = _participants(inputs, seen, "inputs"), _participants(outputs, seen, "outputs")
-    return FunctionalUnit(ins, verb, outs, accepts_any)
-
-
-def bare_unit_of(row: UnitRow) -> FunctionalUnit:
-    """Return the unit of a ``row`` without anything that a video says about it."""
-    inputs, outputs = (tuple(Participant(node_of(node)) for node in side) for side in (row.inputs, row.outputs))
-    return FunctionalUnit(inputs, row.verb, outputs, row.accepts_any)
-
-
-def timing_of(seen: Properties) -> Timing:
-    """Return the time in the properties with which a unit was ``seen``, as :func:`properties_of` wrote it."""
-    return Timing(tuple(zip(seen["span_starts"], seen["span_ends"], strict=True)), seen["assumed"])
-
-
-def measures_of(amounts: Sequence[str] | None, seconds: float | None, celsius: float | None) -> Measures:
-    """Return ``amounts``, ``seconds`` and ``celsius`` as measures, as :func:`properties_of` wrote them."""
-    return Measures(tuple(amounts or ()), seconds, celsius)
-
-
-def properties_of(annotation: Annotation, position: int) -> Properties:
-    """Return what the ``SEEN_IN`` edge of ``annotation`` at a ``position`` (from 0) keeps."""
-    unit, timing, measures = annotation.unit, annotation.timing, annotation.measures
-    return {
-        "position": position,
-        "start": timing.start,
-        "end": timing.end,
-        "assumed": timing.assumed,
-        "span_starts": [float(start) for start, _ in timing.spans],
-        "span_ends": [float(end) for _, end in timing.spans],
-        **_side_as_properties(unit.inputs, "inputs"),
-        **_side_as_properties(unit.outputs, "outputs"),
-        "amounts": list(measures.amounts) or None,
-        "seconds": measures.seconds,
-        "celsius": measures.celsius,
-    }
-
-
-def _side_as_properties(participants: Sequence[Participant], side: str) -> Properties:
-    distinct = sorted({p.node for p in participants}, key=lambda node: order(row_of(node)))
-    ranks = {node: rank for rank, node in enumerate(distinct)}
-    return {
-        side: [ranks[p.node] for p in participants],
-        f"{side}_moving": [p.moving for p in participants],
-        f"{side}_dish": [p.dish_type or "" for p in participants],
-    }
-
-
-def _participants(rows: Iterable[NodeRow], seen: Properties, side: str) -> tuple[Participant, ...]:
-    nodes = [node_of(row) for row in sorted(rows, key=order)]
-    columns = zip(seen[side], seen[f"{side}_moving"], seen[f"{side}_dish"], strict=True)
-    return tuple(Participant(nodes[rank], moving, dish or None) for rank, moving, dish in columns)
-
-
-def order(row: NodeRow) -> tuple[object, ...]:
-    """Return the order of a ``row`` that ranks count in; no two nodes are equal in it."""
-    label, states, ingredients, relation, container = row
-    return (label, states, ingredients, relation is not None, relation or "", container is not None, container or "")

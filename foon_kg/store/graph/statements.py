@@ -9,7 +9,7 @@ from typing import Generic, Protocol, TypeVar
 from neo4j import ManagedTransaction, Transaction
 
 from foon_kg.cypher import named_query
-from foon_kg.store.graph import recipe_rows, rows
+from foon_kg.store.graph import method_rows, recipe_rows, rows
 
 _log = logging.getLogger(__name__)
 
@@ -81,22 +81,22 @@ SWEEP_UNITS = Statement("sweep_units", rows.StatesRow)
 SWEEP_WORDS = Statement("sweep_words", rows.Nothing)
 CLEAR = Statement("clear", rows.Nothing)
 
-METHODS = Statement("methods", rows.MethodsRow)
-METHODS_COMMON = Statement("methods_common", rows.MethodsCommonRow)
-METHODS_ASKED = Statement("methods_asked", rows.MethodsAskedRow)
-FRAMES = Statement("frames", rows.FramesRow)
-FRAMES_READ = Statement("frames_read", rows.FramesReadRow)
+METHODS = Statement("methods", method_rows.MethodsRow)
+METHODS_COMMON = Statement("methods_common", method_rows.MethodsCommonRow)
+METHODS_ASKED = Statement("methods_asked", method_rows.MethodsAskedRow)
+FRAMES = Statement("frames", method_rows.FramesRow)
+FRAMES_READ = Statement("frames_read", method_rows.FramesReadRow)
 LOAD_MATTERS = Statement("load_matters", rows.Nothing)
 LOAD_OPERATORS = Statement("load_operators", rows.Nothing)
-ATTESTED = Statement("attested", rows.AttestedRow)
-EVIDENCE = Statement("evidence", rows.EvidenceRow)
-FIRST_SIGHTINGS = Statement("first_sightings", rows.FirstSightingsRow)
+ATTESTED = Statement("attested", method_rows.AttestedRow)
+EVIDENCE = Statement("evidence", method_rows.EvidenceRow)
+FIRST_SIGHTINGS = Statement("first_sightings", method_rows.FirstSightingsRow)
 LOAD_EVIDENCE = Statement("load_evidence", rows.Nothing)
 USUAL_FOODS = Statement("usual_foods", rows.Nothing)
 COUNT_OPERATORS = Statement("count_operators", rows.Nothing)
 SWEEP_OPERATORS = Statement("sweep_operators", rows.Nothing)
 LOAD_FRAMES = Statement("load_frames", rows.Nothing)
-FORGET_FRAMES = Statement("forget_frames", rows.TextRow)
+FORGET_FRAMES = Statement("forget_frames", method_rows.TextRow)
 COUNT_JOINS = Statement("count_joins", rows.Nothing)
 FORGET_METHODS = Statement("forget_methods", rows.GoneRow)
 

@@ -53,7 +53,7 @@ def find_words(ask: Ask, foods: Sequence[str], called: Sequence[str]) -> WordsFo
     if not all(map(words, foods)):
         return None
     asked = [{"name": food, "point": question(food).point, "words": words(food)} for food in foods]
-    names = sorted({canonical(name) for name in (*foods, *called)})
+    names = sorted(set(map(canonical, (*foods, *called))))
     count = FIRST
     while count <= MOST:
         rows = ask({"words": word_lists_key(), "called": names, "asked": asked, "count": count})
@@ -95,10 +95,14 @@ class _Found:
         if is_all and self.row.all_placed:
             return True
         bound = question(food).most(0.0 if is_all else self.nearest[food][1])
-        sure = zip(self.names, self.confidences[self.foods.index(food)].tolist(), strict=True)
-        best = sorted((confidence for name, confidence in sure if name in self.known and name != food), reverse=True)
+        best = self._best(food)
         fair = bool(best) and best[0] >= FAIR
         return bound < LEAST and (not fair or (len(best) >= BEST and best[BEST - 1] > bound))
+
+    def _best(self, food: str) -> list[float]:
+        """Return how sure each known name is for ``food``, the surest first."""
+        sure = zip(self.names, self.confidences[self.foods.index(food)].tolist(), strict=True)
+        return sorted((confidence for name, confidence in sure if name in self.known and name != food), reverse=True)
 
     def vocabulary(self) -> Vocabulary:
         motions = (MadeBy(*motion) for motion in sorted(self.row.motions))

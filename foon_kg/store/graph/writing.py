@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain
 from typing import Any
@@ -22,11 +22,10 @@ from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.learning import Learner
 from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.movements import movement_rows
-from foon_kg.store.graph.reading import subgraph_of
-from foon_kg.store.graph.rows import bare_unit_of, properties_of
 from foon_kg.store.graph.schema import kitchen_key, schema_version
 from foon_kg.store.graph.statements import Ask
 from foon_kg.store.graph.taught import Taught, taught_by
+from foon_kg.store.graph.values import bare_unit_of, properties_of, subgraph_of
 from foon_kg.store.snapshot import goals_of
 from foon_kg.store.vocabulary import WordCounts
 
@@ -58,19 +57,27 @@ class Writer:
         if not subgraphs:
             return
         units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
-        nodes = {node for unit in units.values() for node in (*unit.input_nodes, *unit.output_nodes)}
         self._ask(cypher.LOAD_VIDEOS, videos=[_video_row(subgraph) for subgraph in subgraphs])
+        self._add_nodes({node for unit in units.values() for node in (*unit.input_nodes, *unit.output_nodes)})
+        rows = self._ask(cypher.LOAD_UNITS, units=[_unit_row(units[key]) for key in sorted(units)])
+        self._add_sightings(subgraphs)
+        new = [units[row.key] for row in rows]
+        self._counts.count(new)
+        self._learner.learn(new, subgraphs)
+
+    def _add_nodes(self, nodes: Collection[ObjectNode]) -> None:
+        """Write object nodes, and remember the states of those that are new and the words of all."""
         by_key = {node.key: node for node in nodes}
         for row in self._ask(cypher.LOAD_OBJECTS, objects=self._object_rows(nodes)):
             self._states.update(by_key[row.key].states)
-        new = self._ask(cypher.LOAD_UNITS, units=[_unit_row(units[key]) for key in sorted(units)])
+        self._words.update(name for node in nodes for name in node.ingredients)
+
+    def _add_sightings(self, subgraphs: Sequence[Subgraph]) -> None:
+        """Write where units are seen, in which order, what moves there and which goals they make."""
         self._ask(cypher.LOAD_SIGHTINGS, sightings=[row for s in subgraphs for row in _sighting_rows(s)])
         self._ask(cypher.LOAD_NEXT, videos=[_steps_row(subgraph) for subgraph in subgraphs])
         self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(subgraphs))
         self._ask(cypher.LOAD_GOALS, goals=[row for s in subgraphs for row in self._goal_rows(s)])
-        self._words.update(name for node in nodes for name in node.ingredients)
-        self._counts.count(units[row.key] for row in new)
-        self._learner.learn((units[row.key] for row in new), subgraphs)
 
     def forget(self, names: Sequence[str]) -> None:
         """Take away what the named videos say, but not the videos."""
@@ -96,6 +103,14 @@ class Writer:
             for swept in self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in rows]):
                 self._states.subtract(swept.states)
         self._count_states()
+        self._count_words()
+        self._learner.finish(self._doubtful)
+        if self._doubtful:
+            self._ask(cypher.SWEEP_WORDS, words=sorted(self._words))
+        self._write_vectors()
+
+    def _count_words(self) -> None:
+        """Bring the counts of foods, motions and verbs up to date, and remember what they are called."""
         foods, motions = list(self._counts.seen_as()), list(self._counts.made_by())
         verbs = list(self._counts.gatherings())
         self._words.update(chain.from_iterable((row.label, row.state) for row in foods))
@@ -105,10 +120,6 @@ class Writer:
             self._ask(cypher.COUNT_FOODS, rows=[row._asdict() for row in foods])
             self._ask(cypher.COUNT_MOTIONS, rows=list(map(dataclasses.asdict, motions)))
             self._ask(cypher.COUNT_VERBS, rows=list(map(dataclasses.asdict, verbs)))
-        self._learner.finish(self._doubtful)
-        if self._doubtful:
-            self._ask(cypher.SWEEP_WORDS, words=sorted(self._words))
-        self._write_vectors()
 
     def _count_states(self) -> None:
         if rows := [{"state": state, "count": count} for state, count in sorted(self._states.items()) if count]:

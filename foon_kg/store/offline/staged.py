@@ -15,7 +15,8 @@ from pathlib import Path
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.learnt_by import methods_key
-from foon_kg.store.graph.rows import AttestedRow, ContentRow, EvidenceRow, KeyRow, NameRow, SchemaState
+from foon_kg.store.graph.method_rows import AttestedRow, EvidenceRow
+from foon_kg.store.graph.rows import ContentRow, KeyRow, NameRow, SchemaState
 from foon_kg.store.graph.schema import kitchen_key
 from foon_kg.store.graph.statements import Row, Statement
 from foon_kg.store.offline.database import Rows, cell, edges_of, joined, nodes_of, split
@@ -67,11 +68,10 @@ class Staged(StagedRecipes):
         cells = ((row["key"], row["verb"], cell(row["accepts_any"])) for row in units)
         new = dict(self.new("Motion", cells))
         fresh = [row for row in units if row["key"] in new]
-        objects = self.ids("Object", {key for row in fresh for key in (*row["inputs"], *row["outputs"])})
-        ins = ((objects[key], new[row["key"]], None) for row in fresh for key in row["inputs"])
-        outs = ((new[row["key"]], objects[key], None) for row in fresh for key in row["outputs"])
-        self.insert("Object_INPUT_OF_Motion", ins)
-        self.insert("Motion_OUTPUTS_Object", outs)
+        ins, outs = list(_ends(fresh, "inputs")), list(_ends(fresh, "outputs"))
+        objects = self.ids("Object", {key for _, key in (*ins, *outs)})
+        self.insert("Object_INPUT_OF_Motion", ((objects[key], new[unit], None) for unit, key in ins))
+        self.insert("Motion_OUTPUTS_Object", ((new[unit], objects[key], None) for unit, key in outs))
         return [KeyRow(key) for key in new]
 
     def load_sightings(self, sightings: Rows) -> None:
@@ -282,3 +282,8 @@ class Staged(StagedRecipes):
 
 def _placed(owner: int, stages: Sequence[int], numbers: Iterable[int]) -> Iterator[tuple[int, int, int]]:
     return ((owner, stages[number], place) for place, number in enumerate(numbers))
+
+
+def _ends(units: Rows, side: str) -> Iterator[tuple[str, str]]:
+    """Yield the key of each unit with those of its objects on one ``side``, inputs or outputs."""
+    return ((row["key"], key) for row in units for key in row[side])

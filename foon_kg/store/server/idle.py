@@ -90,23 +90,42 @@ def watch(place: Home, server: psutil.Process, settings: ConnectionSettings) -> 
     before, used, quiet = None, time.monotonic(), False
     while known := _memory_of(place, server):
         limit = known.idle_minutes * 60
-        if _ended_within(server, min(LOOK_SECONDS, limit / 4) if limit else LOOK_SECONDS):
+        if _ended_within(server, _seconds_to_look(limit)):
             break
         now = visit(settings)
-        if now is None or before is None or now.saw_use(before):
+        if _saw_use(before, now):
             used = time.monotonic()
         elif not quiet:
             quiet = True
             the_startup_cache().make()
-        if now and before and (asked := now.still_stuck(before)) and _start_again(place, server, asked):
+        if _is_stuck_and_begins_again(place, server, before, now) or _stopped_as_idle(place, server, used, limit):
             break
         before = now or before
-        if limit and time.monotonic() - used >= limit and _stop_unless_wanted(place, server, seconds=limit):
-            break
     if not place.arguments.exists():  # somebody has removed the folder under the server: no command would find it
         processes.end(server)
     if not quiet:
         the_startup_cache().make()
+
+
+def _seconds_to_look(limit: float) -> float:
+    """Return after how many seconds to look again: so often that the ``limit`` (in seconds; 0 for ever) is kept."""
+    return min(LOOK_SECONDS, limit / 4) if limit else LOOK_SECONDS
+
+
+def _saw_use(before: Visit | None, now: Visit | None) -> bool:
+    """Whether somebody used the server between two visits; it counts as used where one of them was not answered."""
+    return now is None or before is None or now.saw_use(before)
+
+
+def _is_stuck_and_begins_again(place: Home, server: psutil.Process, before: Visit | None, now: Visit | None) -> bool:
+    """Start a server again that could not end a question between two visits; whether that was done."""
+    asked = now.still_stuck(before) if now and before else None
+    return _start_again(place, server, asked) if asked else False
+
+
+def _stopped_as_idle(place: Home, server: psutil.Process, used: float, limit: float) -> bool:
+    """Stop a server that was last ``used`` so many seconds (``limit``; 0 for ever) ago; whether that was done."""
+    return bool(limit) and time.monotonic() - used >= limit and _stop_unless_wanted(place, server, seconds=limit)
 
 
 def _memory_of(place: Home, server: psutil.Process) -> Memory | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 import subprocess
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import psutil
@@ -137,22 +137,37 @@ def is_alive(process: psutil.Process) -> bool:
         return False
 
 
+_NO_ROOM = ("No space left on device", "Disk quota exceeded", "File too large")
+_IN_USE = ("FileLockException", "store_lock")
+_ERRORS = ("ERROR", "Caused by:", "Error:")
+
+
 def failure(home: Home, what: str, port: int) -> ServerError:
     """Return the error for a start that failed (``what``) on ``home`` and ``port``, as its log explains it."""
     text = home.console_log.read_text(encoding="utf-8", errors="replace") if home.console_log.exists() else ""
-    if "No space left on device" in text or "Disk quota exceeded" in text or "File too large" in text:
+    if _has_one(_NO_ROOM, text):
         return no_room(f"the local Neo4j {what}: it cannot write to {home.root}")
     if "Address already in use" in text:
         return port_taken(port)
-    if "FileLockException" in text or "store_lock" in text:
+    if _has_one(_IN_USE, text):
         return ServerError(
             f"the database in {home.root} is in use by another process",
             hint="end the Neo4j that runs on it, or let FOON_KG_HOME name another folder",
             code="in-use",
         )
-    reasons = [line for line in text.splitlines() if "ERROR" in line or "Caused by:" in line or "Error:" in line]
-    why = reasons[-1].strip() if reasons else (text.strip().splitlines() or ["it printed nothing"])[-1]
-    return ServerError(f"the local Neo4j {what}: {why}", hint=f"the whole story is in {home.console_log}", code="start")
+    hint = f"the whole story is in {home.console_log}"
+    return ServerError(f"the local Neo4j {what}: {_reason(text)}", hint=hint, code="start")
+
+
+def _has_one(signs: Iterable[str], text: str) -> bool:
+    return any(sign in text for sign in signs)
+
+
+def _reason(text: str) -> str:
+    """Return the last line of a log that speaks of an error, else its last line."""
+    lines = text.strip().splitlines() or ["it printed nothing"]
+    errors = [line.strip() for line in text.splitlines() if _has_one(_ERRORS, line)]
+    return (errors or lines)[-1]
 
 
 def port_taken(port: int) -> ServerError:

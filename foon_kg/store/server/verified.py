@@ -30,15 +30,21 @@ def other_than(folder: Path, hashes: Mapping[str, str]) -> tuple[str, ...]:
     before = _read(folder / RECORD)
     now = {name: seen for name, seen in before.items() if name not in hashes}
     for name, sha256 in hashes.items():
-        seen = _seen(folder / name)
-        if seen is None:
-            continue
-        if before.get(name) == [*seen, sha256] or sha256_of(folder / name) == sha256:
-            now[name] = [*seen, sha256]
+        if (seen := _as_hashed(folder / name, sha256, before.get(name))) is not None:
+            now[name] = seen
     if now != before:
         with suppress(OSError):
             write_private(folder / RECORD, json.dumps(now))
     return tuple(name for name in hashes if name not in now and (folder / name).exists())
+
+
+def _as_hashed(file: Path, sha256: str, recorded: Seen | None) -> Seen | None:
+    """Return what is to be ``recorded`` of a file with this hash; ``None`` of another one, or one that is not there."""
+    seen = _seen(file)
+    if seen is None:
+        return None
+    seen = [*seen, sha256]
+    return seen if recorded == seen or sha256_of(file) == sha256 else None
 
 
 def _seen(file: Path) -> Seen | None:

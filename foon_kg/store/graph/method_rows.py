@@ -1,0 +1,122 @@
+"""The rows of questions about what was learnt of a FOON: operators, their evidence, and frames."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from foon_kg.store.graph.rows import Counted
+
+SightingValue = tuple[str, int, str | None, float | None, float | None]
+"""The values of a ``Sighting``: video, position, source, start and end."""
+
+EvidenceValue = tuple[int, int, list[str], list[str]]
+"""``[units, changed, seen, changes]``: how many units of an operator are done to a matter, how many
+change it, and the texts of the first sightings of either."""
+
+MatterValue = tuple[str, list[tuple[int, EvidenceValue]], list[tuple[int, str, int]], list[str]]
+"""``[name, evidence, brings, states]`` of a matter: see :class:`MethodsAskedRow`."""
+
+FrameValue = tuple[str, str, str, list[str], list[str], list[str]]
+"""``[key, dish_type, label, foods, kinds, ends]`` of a frame."""
+
+FrameReadValue = tuple[str, str, list[str]]
+"""``[key, text, videos]`` of a frame; the videos are those that show a way to its goal."""
+
+PostCount = tuple[str, str, str, str, bool, int]
+"""``[kind, dish_type, work, heated, joins, count]``."""
+
+
+@dataclass(frozen=True)
+class AttestedRow:
+    """For each unit its key, that of its operator, what it is done to, and what of that it changes."""
+
+    attested: list[tuple[str, str, list[str], list[str]]]
+
+
+@dataclass(frozen=True)
+class EvidenceRow:
+    """For operators and matters the texts of the sightings that are kept: of all units, and of those that change it."""
+
+    kept: list[tuple[str, str, list[str], list[str]]]
+
+
+@dataclass(frozen=True)
+class FirstSightingsRow:
+    """Where an operator was first seen done to a matter, and first seen to change it."""
+
+    operator: str
+    matter: str
+    seen: list[SightingValue]
+    changes: list[SightingValue]
+
+
+@dataclass(frozen=True)
+class TextRow:
+    """The text of one frame."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class MethodsCommonRow:
+    """What of the methods matters to every question, in no order. Operators go by their numbers in the store.
+
+    ``operators``: number, motion, tools, and evidence for anything. ``usual``: the foods that each is most often done
+    to, and most often changes.
+    """
+
+    operators: list[tuple[int, str, list[str], EvidenceValue]]
+    usual: list[tuple[int, str, EvidenceValue]]
+    gives: list[tuple[int, str, int]]
+    places: list[tuple[int, str, int]]
+    appliances: list[tuple[int, str, int]]
+    brings: list[tuple[int, str, str, int]]
+    states: list[tuple[str, list[str]]]
+    posts: list[PostCount]
+    beside: list[tuple[str, str, int]]
+    cooked: list[tuple[str, str, int]]
+
+
+@dataclass(frozen=True)
+class MethodsAskedRow:
+    """For each asked food the number of points looked at, the cosine of the furthest, and the names of the near ones.
+
+    For each matter the evidence of its operators, from where they bring it (number, role, count), and its states.
+    """
+
+    near: list[tuple[str, int, float | None, list[str]]]
+    matters: list[MatterValue]
+
+
+@dataclass(frozen=True)
+class FramesRow:
+    """All frames, in no order."""
+
+    frames: list[FrameValue]
+
+
+@dataclass(frozen=True)
+class FramesReadRow:
+    """Frames that are looked at closely, in no order."""
+
+    frames: list[FrameReadValue]
+
+
+@dataclass(frozen=True)
+class MethodsRow:
+    """What was learnt of a FOON, in no order. The first seven columns have a value for each operator.
+
+    Of ``brings`` matter, role and count; of ``posts`` kind, dish type, the three parts of the post, and count.
+    """
+
+    operators: list[tuple[str, list[str]]]
+    evidence: list[list[tuple[str, EvidenceValue]]]
+    gives: list[Counted]
+    brings: list[list[tuple[str, str, int]]]
+    places: list[Counted]
+    appliances: list[Counted]
+    states: list[tuple[str, list[str]]]
+    posts: list[PostCount]
+    beside: list[tuple[str, str, int]]
+    cooked: list[tuple[str, str, int]]
+    frames: list[str]
