@@ -56,9 +56,9 @@ HEAVY = frozenset({"pandas", "pyarrow", "requests", "spacy", "jgo"})
 COMMANDS = (
     Command(("--help",), 47, 40, HEAVY),
     Command(("cypher", "RETURN 1"), 36, 260, HEAVY | {"numpy"}),
-    Command(("stats",), 33, 260, HEAVY | {"numpy"}),
-    Command(("load", "foon", str(DEMO)), 58, 260, HEAVY | {"numpy"}, again=True),
-    Command(("similar", "caper"), 59, 355, HEAVY),
+    Command(("stats",), 34, 260, HEAVY | {"numpy"}),
+    Command(("load", "foon", str(DEMO)), 59, 260, HEAVY | {"numpy"}, again=True),
+    Command(("similar", "caper"), 60, 355, HEAVY),
     Command(("plan", "--dish", "salad", "chopped onion"), 242, 355, HEAVY),
     Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 247, 241, HEAVY | {"neo4j", "psutil"}),
 )
