@@ -66,3 +66,15 @@ def test_what_cooks_is_stirred_with_a_tool(public_plans):
     stirred = [unit for unit in public_plans("rice", "", *foods).units if unit.motion == "cook and stir"]
     assert stirred
     assert all({"spoon", "spatula", "turner"} & {node.label for node in unit.input_nodes} for unit in stirred)
+
+
+def test_water_is_for_the_grain_of_a_salad_or_thins_its_dressing(steps):
+    rice = steps("salad", "", "water:liquid", "rice:grain", "onion:chopped", "ham:sliced", "mayonnaise:creamy")
+    boiled = [inputs for inputs, motion, _ in rice if "water" in inputs and motion in {"pour", "pick-and-place"}]
+    assert boiled == [{"water", "pot", "faucet"}]
+    assert not {"drain", "rinse"} & {motion for inputs, motion, _ in rice if "rice" in inputs}
+    thinned = steps(
+        "salad", "", "water:liquid", "vinegar:liquid", "oil:liquid", "tomato:sliced", "celery:sliced", "olive:chopped"
+    )
+    into = next(outputs for inputs, motion, outputs in thinned if {"water", "faucet"} <= inputs)
+    assert all(set(node.ingredients) <= {"oil", "vinegar", "water"} for node in into)

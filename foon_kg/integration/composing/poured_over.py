@@ -55,6 +55,7 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
         last, later = line.stages[place], line.stages[place + 1 :]
         apart = (_apart(join, last, later) if id(join.spot.stage) in boiled else join for join in joins)
         return _at_once(line, place, tuple(apart), parts)
+    parts += [join for join in joins if join.want.facts.is_a("water") and join not in parts]
     cold = {id(stage) for stage in beside if _is_cold(stage)}
     return _tossed(line, place, joins, parts, cold)
 

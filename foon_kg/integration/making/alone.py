@@ -130,7 +130,7 @@ class Alone:
             self.preparer.rinse(ready, "washed")
             self.preparer.shelled(ready, _joins_as(join))
             return True
-        rinsed = boiled and self._is_eaten_cold(join)
+        rinsed = boiled and self._is_eaten_cold(join) and not ready.stuff.mixed
         if rinsed:
             self.preparer.rinse(ready, "washed")
         return rinsed
@@ -174,10 +174,25 @@ class Alone:
         soaks = facts.is_a(*word_list("is not cooled under water"))
         return cold and not soaks and facts.is_a(*word_list("is cooled under water"))
 
+    def _own_water(self, want: Want) -> Ready | None:
+        """Take the water that a recipe for a cold dish asks for grain: nobody pours it over what is done."""
+        if not self.plan.cooled or want.facts.kind not in word_list("swells in its own water"):
+            return None
+        course = self.precooking.course
+        for join in self.plan.joins:
+            there = course.at.get(id(join.spot.stage), [])
+            if join in there and join.want.facts.is_a("water") and not (join.want.make or join.spot.heats_later):
+                there.remove(join)
+                return self.ready[join.want.number]
+        return None
+
     def _boil(self, ready: Ready) -> None:
         bench, want = self.bench, ready.want
-        pot = bench.vessel("pot")
-        self.carry.water.add(pot)
+        pot, own = bench.vessel("pot"), self._own_water(want)
+        if own is None:
+            self.carry.water.add(pot)
+        else:
+            self.carry.bring(own, pot, None)
         device = bench.place(pot, "stove", "on")
         if want.facts.is_a(*word_list("comes when it boils")):
             self.carry.water.boil(pot)
@@ -187,6 +202,10 @@ class Alone:
         stuff = ready.stuff
         before = list(pot.contents)
         states = self._cooked_states(stuff, want, attested.way)
+        if own is not None:  # it swells until that is gone
+            ready.stuff = bench.work(pot, attested, want.label, states)
+            bench.switch(pot, device, on=False)
+            return
 
         def change() -> None:
             stuff.states = states
