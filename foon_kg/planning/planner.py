@@ -31,7 +31,8 @@ from foon_kg.integration.joining.joiners import Joiners
 from foon_kg.integration.joining.places import Matcher
 from foon_kg.integration.making.cooking import Cooking
 from foon_kg.integration.methods import Methods, TeachingView
-from foon_kg.integration.preparing.preparation import as_there, wants_of
+from foon_kg.integration.preparing.preparation import as_there
+from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.unheeded import with_unheeded
 from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError

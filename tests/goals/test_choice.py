@@ -23,7 +23,7 @@ from foon_kg.integration.joining.layouts import MAIN, is_need
 from foon_kg.integration.joining.outlines import Outline, Outlines, closing_heat
 from foon_kg.integration.joining.places import Matcher
 from foon_kg.integration.joining.spots import NATURAL
-from foon_kg.integration.preparing.preparation import wants_of
+from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.model import RequiredIngredient
 
 KNOWN = tables()

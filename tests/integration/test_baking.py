@@ -8,7 +8,7 @@ from planner.public_foon import public_snapshot
 from foon_kg.food import tables
 from foon_kg.integration.composing.parts import parts_of
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
-from foon_kg.integration.preparing.preparation import wants_of
+from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.teaching.operators import Operators
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner

@@ -21,7 +21,7 @@ from foon_kg.integration.composing.warmed import garnished, stirred
 from foon_kg.integration.joining.course import Course, Plan
 from foon_kg.integration.joining.spots import Join, Spot
 from foon_kg.integration.making.serving import Serving
-from foon_kg.integration.preparing.preparation import wants_of
+from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.teaching.frames import Line, Stage
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner

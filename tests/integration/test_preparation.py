@@ -8,7 +8,8 @@ from integration.told import KITCHEN
 from planner.judged import fatal
 
 from foon_kg.food import Level, tables
-from foon_kg.integration.preparing.preparation import owed, understood, wants_of
+from foon_kg.integration.preparing.preparation import owed
+from foon_kg.integration.preparing.understanding import understood, wants_of
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError
 from foon_kg.similarity import food_similarity

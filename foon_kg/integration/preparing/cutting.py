@@ -5,7 +5,7 @@ Ways are taken from the FOON's operators, of the food itself or of one that is l
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
@@ -42,9 +42,18 @@ def _divides(known: Tables, motion: str) -> bool:
     return not does.isdisjoint(CUTS) and does.isdisjoint(others)
 
 
-def _by_bare_hands(ways: Sequence[Way]) -> list[Way]:
+def _bare(ways: Iterable[Way]) -> list[Way]:
+    """Return those of some ways that hands do without a tool."""
+    return [way for way in ways if not way[1]]
+
+
+def _by_bare_hands(ways: Iterable[Way]) -> list[Way]:
     """Return those of some ways in which fingers pull flesh apart."""
-    return [way for way in ways if way[0] in word_list("pulls flesh apart") and not way[1]]
+    return [way for way in _bare(ways) if way[0] in word_list("pulls flesh apart")]
+
+
+def _is_taken_off_by_hand(name: str, want: Want) -> bool:
+    return name == "husk" or (name == "shell" and want.facts.is_a(*word_list("is shelled by hand")))
 
 
 class Cutter:
@@ -59,6 +68,10 @@ class Cutter:
     def is_cut(self, way: Way) -> bool:
         """Whether a way divides a food by hand."""
         return len(way[1]) <= 1 and _divides(self.known, way[0])
+
+    def is_asked_cut(self, want: Want) -> bool:
+        """Whether a food is asked in pieces that are still to be made."""
+        return bool(want.make) and self.known.state(want.make).fineness > 0
 
     def way_to_cut(self, want: Want, state: str) -> Attested | None:
         """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
@@ -80,13 +93,17 @@ class Cutter:
 
     def _ways_to_cut(self, want: Want, state: str) -> list[Way]:
         """Return the ways of this FOON by which such a food can be brought into pieces of that state."""
-        ways = [way for way in self.operators.making(state) if self.is_cut(way)]
-        ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
+        ways = self._ways_to_divide(state)
         torn = state in _SHREDS and want.facts.is_a(*word_list("is flesh"))  # it is cooked by then
         ways = (_by_bare_hands(ways) if torn else []) or self._with_a_knife(ways, want)
         if wants_a_mill(state, want.facts, self.known):
             return [way for way in ways if is_mill(way, self.known)]
         return ways
+
+    def _ways_to_divide(self, state: str) -> list[Way]:
+        """Return the ways of dividing by hand that give a state, those that peel only where there are no others."""
+        ways = [way for way in self.operators.making(state) if self.is_cut(way)]
+        return [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways
 
     def _ways_to_grate(self, ways: Sequence[Way], want: Want, state: str) -> list[Way]:
         """Return those of some ways that have a grater, where a food is brought into such a state by that alone."""
@@ -128,7 +145,7 @@ class Cutter:
         counts: dict[str, int] = {}
         for name in (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}", "kind:vegetable"):
             for state in self.operators.states.get(name, ()):
-                fine = self.known.state(state).fine or 0
+                fine = self.known.state(state).fineness
                 if 1 < fine < POWDER:
                     counts[state] = counts.get(state, 0) + sum(
                         n for way, n in self.operators.giving.get(state, {}).items() if self.is_cut(way)
@@ -143,17 +160,17 @@ class Cutter:
         names = (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}")
         return any(state in self.operators.states.get(name, ()) for name in names)
 
-    def with_a_fit_tool(self, name: str, ways: Sequence[Way], want: Want) -> Sequence[Way]:
+    def with_a_fit_tool(self, name: str, ways: list[Way], want: Want) -> list[Way]:
         """Return the ways to take off a skin with what does it: fingers, a peeler, or a knife where it is a rind."""
-        if name == "shell" and want.facts.is_a(*word_list("is shelled by hand")):
-            return [way for way in ways if not way[1]] or ways
-        if name == "husk":
-            return [way for way in ways if not way[1]] or ways
-        if name != "peel" or want.facts.is_a(*word_list("is peeled by hand")):
+        if _is_taken_off_by_hand(name, want):
+            fit = _bare(ways)
+        elif name != "peel" or want.facts.is_a(*word_list("is peeled by hand")):
             return ways
-        if want.facts.is_a(*word_list("is peeled with a knife")):
-            return [way for way in ways if self.has_tool_to(_OPEN, way)] or ways
-        return [way for way in ways if way[1]] or ways
+        elif want.facts.is_a(*word_list("is peeled with a knife")):
+            fit = [way for way in ways if self.has_tool_to(_OPEN, way)]
+        else:
+            fit = [way for way in ways if way[1]]
+        return fit or ways
 
     def way_to_treat(self, want: Want, name: str) -> Attested | None:
         """Return how hands peel, core or stone such a food; ``None`` where nobody does with a like one."""
@@ -161,7 +178,7 @@ class Cutter:
         ways = [way for way in ways if not self.known.motion(way[0]).does & NOT_BY_HAND]
         unfit = {"separate"} if name != "shell" else {"open"}  # nobody skims a skin; and opened is not shelled
         ways = [way for way in ways if unfit.isdisjoint(self.known.motion(way[0]).does)]
-        ways = list(self.with_a_fit_tool(name, ways, want))
+        ways = self.with_a_fit_tool(name, ways, want)
         attested = self.bench.attest(ways, want.names, act=True)
         if attested is None and not want.facts.is_a("stock", "ready"):
             attested = self.bench.far(ways, want.names, act=True)

@@ -1,0 +1,195 @@
+"""What hands do to one food beside cutting it: they peel, stone and shell it, rinse, drain and squeeze it.
+
+How each is done is taken from the operators of the FOON. What no operator does is assumed to have been done, and that
+is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from foon_kg.food import Level
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Stuff
+from foon_kg.integration.preparing.cutting import BOWL, STANDS_FOR, Cutter
+from foon_kg.integration.preparing.preparation import (
+    BRINGS,
+    CUTS,
+    FROM_A_CAN,
+    IN_ORDER,
+    JUICE,
+    NOT_BY_HAND,
+    RINSED,
+    Ready,
+    Want,
+)
+from foon_kg.integration.teaching.operators import Attested, Way
+from foon_kg.world.treatment import ADVISED
+
+_DONE_WITH = {"stone": "core", "peel": "husk"}
+"""What is done by another treatment, where that is due."""
+
+
+class Treater(Cutter):
+    """Treats foods on a bench."""
+
+    def clean(self, ready: Ready, due: set[str]) -> None:
+        """Take off and out of a food what is ``due``, in the order in which hands do it, and wash it at last."""
+        order = list(IN_ORDER)
+        if ready.want.facts.is_a(*word_list("is stoned before it is peeled")):
+            order.sort(key=lambda name: name == "peel")
+        for name in order:
+            if name in due and _DONE_WITH.get(name) not in due:
+                self._treat(ready, name)
+        if "wash" in due:
+            self.rinse(ready, "washed")
+
+    def _treat(self, ready: Ready, name: str) -> None:
+        """Peel, core or stone the food, or assume that it was bought so."""
+        want, stuff = ready.want, ready.stuff
+        does = (name, *STANDS_FOR.get(name, ()))
+        attested = self.way_to_treat(want, name)
+        if attested is None:
+            if want.facts.owes.get(name) is Level.FATAL or self._is_asked(want, name):
+                self.assume(ready, self._state_for(name, want))
+            return
+        state = self._state_when_treated(want, attested.way, does)
+        if want.make and want.make != state and not self.known.state(want.make).fine:
+            ready.read_as = state
+        board = self.board(attested.way)
+        if not board and stuff.at is not None and stuff.at.storage:
+            board = BOWL  # what is peeled does not stay in its packet
+        self.bench.act(stuff, attested, tuple(sorted({*self._kept(stuff, name), state})), board)
+
+    def _state_when_treated(self, want: Want, way: Way, does: Sequence[str]) -> str:
+        """Return the asked state where ``way`` gives that and it is no cut, else what such a treatment gives."""
+        asked = want.make in self.known.motion(way[0]).gives and not self.is_asked_cut(want)
+        return want.make if asked else self._gives(way, does)
+
+    def _kept(self, stuff: Stuff, name: str) -> list[str]:
+        """Return the states that a food keeps when it is treated; what was taken for whole with its peel still is."""
+        kept = [s for s in stuff.states if not self.known.state(s).undivided and s != "unpeeled"]
+        whole = name in {"peel", "shell"} and any(self.known.state(s).undivided for s in stuff.states)
+        return [*kept, "whole"] if whole else kept
+
+    def _is_asked(self, want: Want, name: str) -> bool:
+        """Whether the asked state says that a treatment was done."""
+        return bool(want.make) and name in self.known.state(want.make).earns
+
+    def _gives(self, way: Way, does: Sequence[str]) -> str:
+        """Return the state that a treatment gives: the one that the FOON tells most often, else the table's."""
+        fit = [s for s, ways in self.operators.giving.items() if way in ways and self.known.state(s).earns & {*does}]
+        fit.sort(key=lambda s: (-self.operators.giving[s][way], s))
+        able = sorted(s for s in self.known.motion(way[0]).gives if self.known.state(s).earns & {*does})
+        return (fit or able or [does[0]])[0]
+
+    def _state_for(self, name: str, want: Want) -> str:
+        if self._is_asked(want, name):
+            return want.make
+        found = [s for s, row in self.known.states.items() if row.earns == {name}]
+        return min(found, key=lambda state: (state.count(" "), state), default=name)
+
+    def trim(self, ready: Ready, state: str) -> None:
+        """Cut off the ends of a food, which makes it ``state``, or assume that it was done where it is asked so."""
+        ways = [way for motion in sorted(word_list("cuts off the ends")) for way in self.operators.ways_of(motion)]
+        attested = self.bench.attest(ways, ready.want.names, act=True) or self.bench.far(
+            ways, ready.want.names, act=True
+        )
+        if attested is None:
+            if ready.want.make == state:
+                self.assume(ready, state)
+            return
+        attested = self.with_tool(attested)
+        self.bench.act(ready.stuff, attested, (state,), self.board(attested.way))
+
+    def advise(self, ready: Ready) -> None:
+        """Do what is only advised and yet asked (rinsed), or assume that it was done (soaked)."""
+        asked = ready.want.make
+        earns = self.known.state(asked).earns if asked else frozenset()
+        if not earns or not earns <= ADVISED or asked in ready.stuff.states:
+            return
+        if (earns == RINSED and self.rinse(ready, asked)) or self.worked_so(ready, asked):
+            return
+        self.assume(ready, asked)
+
+    def worked_so(self, ready: Ready, state: str) -> bool:
+        """Bring a food into a state as the FOON shows it of such a food, without heat; return whether it does."""
+        attested = self._way_so(ready.want, state)
+        if attested is not None:
+            self.bench.act(ready.stuff, attested, tuple(sorted({*ready.stuff.states, state})), BOWL)
+        return attested is not None
+
+    def _way_so(self, want: Want, state: str) -> Attested | None:
+        """Return how hands bring a food into a state otherwise than by cutting it (sifted); ``None`` where none do."""
+        does = {way: self.known.motion(way[0]).does for way in self.operators.making(state)}
+        ways = [way for way, done in does.items() if not (done & (NOT_BY_HAND | CUTS) or done <= BRINGS)]
+        return self.bench.attest(ways, want.names, act=True)
+
+    def rinse(self, ready: Ready, state: str) -> bool:
+        """Rinse a food where it lies, or in a strainer, which makes it ``state``; return whether the FOON shows how."""
+        bench, stuff, foods = self.bench, ready.stuff, ready.want.names
+        ways: list[Way] = [("rinse", ()), ("wash", ())]
+        attested = bench.attest(ways, foods) or bench.far(ways, foods)
+        if attested is None:
+            return False
+        if stuff.at is None or stuff.at.storage:
+            bench.bring([stuff], bench.vessel("strainer"), bench.require([("pick-and-place", ()), ("pour", ())], foods))
+        places = [stuff.at] if stuff.at is not None else []
+        states = tuple(sorted({*stuff.states, state}))
+
+        def change() -> None:
+            stuff.states = states
+
+        bench.emit(attested, [*places, stuff, bench.fetch("water", ("liquid",), (), "faucet")], change, [stuff])
+        return True
+
+    def drain(self, ready: Ready) -> None:
+        """Pour what is sold in liquid into a strainer, which makes it drained where it is asked so."""
+        asked = ready.want.asked
+        drained = asked and self.known.state(asked).earns == FROM_A_CAN
+        states = (*ready.stuff.states, asked) if drained else None
+        ways: list[Way] = [("drain", ()), ("pour", ())] if drained else [("pour", ()), ("drain", ())]
+        foods = ready.want.names
+        attested = self.bench.attest(ways[:1], foods) or self.bench.attest(ways, foods) or self.bench.far(ways, foods)
+        if attested is not None:
+            self.bench.bring([ready.stuff], self.bench.vessel("strainer"), attested, states)
+
+    def squeeze(self, ready: Ready) -> None:
+        """Halve the food and press its juice into a bowl."""
+        stuff, bench = ready.stuff, self.bench
+        halves = [way for way in self.operators.making("halved") if self.is_cut(way)]
+        bench.act(
+            stuff, self.with_tool(bench.require(halves, ready.want.names, act=True)), ("halved",), "cutting board"
+        )
+        ways = [
+            way
+            for way in self.operators.giving.get(JUICE, ())
+            if "separate" in self.known.motion(way[0]).does and way[1]
+        ]
+        attested = bench.require(ways, ready.want.names)
+        board, bowl = stuff.at, bench.vessel("bowl")
+
+        def change() -> None:
+            if board is not None:
+                board.contents.remove(stuff)
+            bowl.contents.append(stuff)
+            stuff.at, stuff.states = bowl, (JUICE,)
+
+        bench.emit(attested, [stuff, *([board] if board is not None else []), bowl], change, [stuff, bowl])
+        ready.read_as = JUICE
+
+    def opening(self, want: Want) -> Attested | None:
+        """Return the way to open the food's shell over a vessel, if there is one."""
+        ways = [way for way in self.operators.ways.get("shell", ()) if "open" in self.known.motion(way[0]).does]
+        ways = [way for way in ways if self.operators.onto.get(way) and not way[1]]
+        opens = "shell" in want.facts.owes and not want.facts.is_a(*word_list("is peeled and not cracked"))
+        return self.bench.attest(ways, want.names, act=True) if opens else None
+
+    def assume(self, ready: Ready, state: str) -> None:
+        """Take a food in a state into which nobody brings it here, and say so."""
+        stuff = ready.stuff
+        was = self.known.state(state).before
+        kept = (s for s in stuff.states if not self.known.state(s).undivided and s not in was)
+        stuff.states = tuple(sorted({*kept, state}))
+        why = f"no step of this FOON makes {ready.want.label} {state}, nor a like food or one of its kind"
+        ready.assumptions.append(why)

@@ -1,0 +1,299 @@
+"""What a recipe asks of its foods, as it is understood: sold so, made so, or a crude word for something.
+
+A state in which shops sell a food, or which says nothing of it, is that in which the kitchen has it. Another one is
+made: by heat, by squeezing, by hand, or by nobody, and then it is bought so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from foon_kg.food import Food, Tables, singular, words
+from foon_kg.food.lists import word_list
+from foon_kg.food.rows import State
+from foon_kg.food.told_states import asked_state, in_turn
+from foon_kg.integration.preparing.entitled import as_entitled, as_pressed, is_bought_so
+from foon_kg.integration.preparing.preparation import (
+    BRINGS,
+    FROM_A_CAN,
+    JUICE,
+    POWDER,
+    RINSED,
+    Want,
+    is_mill,
+    owed,
+    wants_a_mill,
+)
+from foon_kg.integration.teaching.operators import Operators, Way, form_of
+from foon_kg.model import RequiredIngredient
+from foon_kg.world.treatment import ADVISED
+
+_CANNED = "canned"
+
+
+def wants_of(
+    ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators, title: str = "", dish_type: str = ""
+) -> tuple[Want, ...]:
+    """Return the distinct required foods in their order, each with its state as it is understood.
+
+    ``title`` and ``dish_type`` say what nobody says of a food: of a whole lemon a cake wants the juice.
+    """
+    pressed = dish_type in word_list("is made with juice") and word_list("is made with slices").isdisjoint(words(title))
+    distinct: dict[RequiredIngredient, tuple[int, ...]] = {}
+    for place, one in enumerate(one for one in ingredients if one.object):
+        distinct[one] = (*distinct.get(one, ()), place)
+    found = []
+    for number, (one, places) in enumerate(distinct.items(), start=1):
+        want = replace(_in_turn(number, one, known, operators), part=one.part, places=places)
+        want = as_entitled(_cut_by_name(want, known), title, known, operators)
+        found.append(as_pressed(want, known, operators) if pressed else want)
+    return tuple(found)
+
+
+def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
+    """Return a required food of whose state several things are told: what heat made of it, and how it is cut then."""
+    *before, last = in_turn(asked_state(in_turn(one.state), known)) or ("",)
+    want = understood(number, replace(one, state=last), known, operators)
+    if not before:
+        return replace(want, told=one.state) if want.asked != one.state else want
+    first = understood(number, replace(one, state=before[-1]), known, operators)
+    if want.cooked and _divides(first.make, known):
+        return replace(first, cooked=True, told=one.state)
+    divided = want.make if _divides(want.make, known) else ""
+    if first.cooked:
+        return replace(first, then=divided, told=one.state)
+    if before[-1] in word_list("is in a can"):
+        return replace(first, make=divided, told=one.state)
+    return replace(want, told=one.state)
+
+
+def _divides(state: str, known: Tables) -> bool:
+    """Whether a state that has to be made is one of pieces."""
+    return bool(state) and known.state(state).fineness > 0
+
+
+def _cut_by_name(want: Want, known: Tables) -> Want:
+    """Return a food that is cut as its name says (lime wedge), or grated off the whole (zest), if no state is asked."""
+    shape = words(want.label)[-1:]
+    grated_off = want.facts.is_a(*word_list("is grated off the whole"))
+    as_sold = grated_off and want.asked == want.facts.sold_as
+    if want.asked and not as_sold and not known.state(want.asked).undivided:
+        return want
+    if grated_off:
+        return replace(want, make=min(word_list("only grates")), leaf=("whole",))
+    cut = want.facts.sold_as == "whole" and not word_list("is cut so by name").isdisjoint(shape)
+    return replace(want, make=shape[0]) if cut else want
+
+
+def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
+    """Return a required food with its state as it is understood: sold so, made so, or a crude word for something."""
+    if one.state not in word_list("asks for what is grated off"):
+        return _in_a_package(_as_asked(number, one, known, operators))
+    (state,) = word_list("is grated off the whole")
+    return replace(_as_asked(number, replace(one, state=state), known, operators), asked=one.state, read_as=state)
+
+
+def _in_a_package(want: Want) -> Want:
+    """Return a food that is sold free, but not in the state in which the kitchen has it: nobody keeps crumbs so."""
+    if want.storage:
+        return want
+    for storage in ("bag", "container", "packet"):
+        if not word_list(f"comes in a {storage}").isdisjoint(want.leaf):
+            return replace(want, storage=storage)
+    return want
+
+
+def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
+    state, facts = one.state, _facts(one, known)
+    plain = _plain_leaf(one.object, facts, state, known)
+    want = Want(number, one.object, state, facts, (plain,) if plain else (), facts.sold_in)
+    other = _misread(want) or _foamed(want, known.foods.food(one.object))
+    if other is not None or not state:
+        return other or want
+    if facts.sold_as == state:
+        return replace(want, leaf=(state,))
+    row = known.state(state)
+    if _is_had_so(facts, row):
+        return _as_had(want, plain, known, operators)
+    if _is_given_by_heat(want, row):
+        return _as_heated(want, plain, known)
+    return _otherwise(want, plain, row, operators)
+
+
+def _facts(one: RequiredIngredient, known: Tables) -> Food:
+    """Return what is known of a food in the asked state; if its juice is asked, not of what is left of it."""
+    facts = known.foods.food(one.object, [one.state] if one.state else [])
+    return known.foods.food(one.object) if JUICE in one.state and facts.is_a("remains") else facts
+
+
+def _is_had_so(facts: Food, row: State) -> bool:
+    """Whether a shop sells a food so, or its state says of nothing that was done to it."""
+    return row.sold or facts.is_a(*row.sold_for) or not (row.earns or row.fine or row.half)
+
+
+def _as_had(want: Want, plain: str, known: Tables, operators: Operators) -> Want:
+    """Return a food that is asked as it is had: so, as it is sold (``plain``), or with what is still to be done."""
+    if want.asked in word_list("only what was cooked is so") and {"cook", "boil"} & owed(want, known):
+        return replace(want, cooked=True)
+    if want.asked in word_list("is only made warm") and want.facts.is_a(*word_list("is warmed alone")):
+        return replace(want, make=want.asked)
+    if _taken_at_its_word(want, plain, known, operators):
+        return replace(want, leaf=(want.asked,))
+    return replace(want, read_as=plain)
+
+
+def _is_given_by_heat(want: Want, row: State) -> bool:
+    by_boiling = want.asked in word_list("is so by boiling") and want.facts.is_a("vegetable")
+    return by_boiling or (row.needs_heat and "cook" in row.earns)
+
+
+def _as_heated(want: Want, plain: str, known: Tables) -> Want:
+    """Return a food that is asked cooked: by itself, where it is a thing that can be; else it is read as ``plain``."""
+    form = form_of(known, want.label, want.leaf)
+    whole = form in {"whole", "pieces"} and not want.facts.is_a("spice", "fat")
+    toasted = want.asked in word_list("is so by dry heat") and want.facts.is_a(*word_list("is toasted by itself"))
+    return replace(want, cooked=True, make=want.asked) if whole or toasted else replace(want, read_as=plain)
+
+
+def _otherwise(want: Want, plain: str, row: State, operators: Operators) -> Want:
+    """Return a food that is asked in a state, that of ``row``, which no heat gives: as hands make it, or as it is sold.
+
+    ``plain`` is the state in which it is sold.
+    """
+    facts, state = want.facts, want.asked
+    form = form_of(operators.known, want.label, want.leaf)
+    if JUICE in state and form == "whole" and operators.giving.get(JUICE):
+        return replace(want, make=state, squeezed=True)
+    if _lacks_a_mill(want, operators):
+        return _as_ground(want, plain)
+    if state in word_list("has no shell any more") and facts.is_a(*word_list("runs out of its shell")):
+        boiled = min(word_list("is boiled so"))
+        return replace(want, make=boiled, cooked=True, read_as=boiled)
+    others = _done_by_others(want, row, operators)
+    if others is not None:
+        return others
+    return replace(want, make=state) if _can_be_made(want, form, row, operators) else replace(want, read_as=plain)
+
+
+def _lacks_a_mill(want: Want, operators: Operators) -> bool:
+    """Whether a food is asked so fine that it wants a mill, and nobody has one."""
+    mills = (way for way in operators.making(want.asked) if is_mill(way, operators.known))
+    return wants_a_mill(want.asked, want.facts, operators.known) and next(mills, None) is None
+
+
+def _as_ground(want: Want, plain: str) -> Want:
+    """Return a food that is asked ground where nobody has a mill: bought so, if it is sold so, else as ``plain``."""
+    ground = want.facts.is_a(*word_list("is sold ground")) or not want.facts.traits
+    return replace(want, leaf=(want.asked,), bought_so=True) if ground else replace(want, read_as=plain)
+
+
+def _misread(want: Want) -> Want | None:
+    """Return a food whose asked state says nothing of it alone, or needs a machine: as something like it."""
+    sold = want.facts.sold_as
+    piece = sold in word_list("is one piece of it") and want.asked in word_list("is no state of a piece")
+    if piece or want.asked in word_list("says nothing of one food"):
+        return replace(want, leaf=(sold,) if sold else (), read_as=sold)
+    if want.asked in word_list("needs a machine") and want.facts.is_a("vegetable") and want.facts.is_a("raw"):
+        state = min(word_list("is made fine by hand"))
+        return replace(want, make=state, read_as=state)
+    return None
+
+
+def _foamed(want: Want, before: Food) -> Want | None:
+    """Return a liquid that is asked whipped, ``before`` being what is known of it as it is sold."""
+    if want.asked not in word_list("is beaten to a foam") or before.sold_as == want.asked or not before.is_a("liquid"):
+        return None
+    return replace(want, leaf=(before.sold_as,), storage=before.sold_in, make=want.asked, foamed=True)
+
+
+def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None:
+    """Return a food whose asked state is not given to it alone: drained of what it was canned or boiled in, smoked."""
+    canned = operators.known.foods.food(want.label, [_CANNED])
+    if row.earns & FROM_A_CAN and canned.sold_as == _CANNED:
+        return replace(want, facts=canned, leaf=(_CANNED,), storage=canned.sold_in, read_as=_CANNED)
+    if row.earns and row.earns <= ADVISED and row.earns != RINSED and "boil" in want.facts.owes:
+        return replace(want, cooked=True)
+    return replace(want, leaf=(want.asked,), bought_so=True) if is_bought_so(row, want.asked, operators) else None
+
+
+def _taken_at_its_word(want: Want, plain: str, known: Tables, operators: Operators) -> bool:
+    """Whether a food is had as it is asked: the FOON has it so, or it is undivided."""
+    if any(want.asked in operators.states[name] for name in (singular(want.label), f"kind:{want.facts.kind}")):
+        return True
+    return known.state(want.asked).undivided or form_of(known, want.label, (plain,)) == "whole"
+
+
+def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> bool:
+    """Whether the asked state, that of ``row``, can be given to a food of such a form."""
+    told = _is_known_to_be_made(want, form, row)
+    return told if told is not None else _is_made_here(want, form, row, operators)
+
+
+def _is_known_to_be_made(want: Want, form: str, row: State) -> bool | None:
+    """Whether a state can be given to a food by what is known of both; ``None`` where the FOON has to show it."""
+    if want.asked in word_list("is cut off at the ends") and want.facts.is_a("vegetable") and form == "whole":
+        return True
+    if _is_too_small_to_be_cut(want, row):
+        return False
+    if row.earns == RINSED:
+        return form in {"whole", "pieces"} or _CANNED in want.leaf
+    return True if _melts(want) or _is_mashed_as_sold(want) else None
+
+
+def _is_too_small_to_be_cut(want: Want, row: State) -> bool:
+    """Whether pieces are asked of flakes: they are as good as shreds, and nothing holds them to be cut."""
+    small = not word_list("is too small for a grater").isdisjoint(want.leaf)
+    return small and row.earns == {"cut"} and row.fineness < POWDER
+
+
+def _melts(want: Want) -> bool:
+    facts = want.facts
+    return want.asked in word_list("is so when it has melted") and facts.is_a("fat") and not facts.is_a("liquid")
+
+
+def _is_mashed_as_sold(want: Want) -> bool:
+    return want.asked in word_list("is mashed so") and want.facts.is_a(*word_list("is mashed as it is sold"))
+
+
+def _is_made_here(want: Want, form: str, row: State, operators: Operators) -> bool:
+    """Whether the FOON shows how a state, that of ``row``, is given to such a food."""
+    facts, powder = want.facts, row.fineness >= POWDER
+    if form in {"liquid", "powder", "soft"} and not _is_worked_so(want, operators):
+        return False
+    if powder and facts.is_a("fat", "creamy"):
+        return False
+    if _is_shown(operators.making(want.asked), want, operators):
+        return True
+    if facts.is_a("stock", "ready") and (powder or not row.fine):
+        return False
+    return bool(row.fine) or bool(row.earns & facts.owes.keys())
+
+
+def _is_worked_so(want: Want, operators: Operators) -> bool:
+    """Whether the FOON shows work on such a food that gives the asked state, and does not only bring it somewhere."""
+    given = operators.giving.get(want.asked, ())
+    return _is_shown((way for way in given if not operators.known.motion(way[0]).does <= BRINGS), want, operators)
+
+
+def _is_shown(ways: Iterable[Way], want: Want, operators: Operators) -> bool:
+    return any(operators.attested(way, want.names, act=True) for way in ways)
+
+
+def _is_grated_off(label: str, facts: Food, known: Tables) -> bool:
+    """Whether what is asked is only grated off the whole of that name."""
+    return facts.is_a(*word_list("is grated off the whole")) and known.foods.food(label).kind != facts.kind
+
+
+def _plain_leaf(label: str, facts: Food, asked: str, known: Tables) -> str:
+    """Return the state in which a shop sells the food, such that its name still means the same food."""
+    row = known.state(asked)
+    if asked in word_list("is so by a grater") and _is_grated_off(label, facts, known):
+        return "whole"
+    candidates = [facts.sold_as, "whole", "whole veg", "raw", "fresh", "ground"]
+    if row.sold or not (row.earns or row.fine or row.half):
+        candidates.append(asked)
+    for state in candidates:
+        if state and known.foods.food(label, [state]).kind == facts.kind:
+            return state
+    return facts.sold_as
