@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
@@ -56,13 +56,17 @@ def answer_all(
         writing.say(f"{writing.output} has {there} of {len(questions)} answers already")
     to = nullcontext(writing.show) if done is None else _writes_to(done)
     with foon.answers(questions[there:], settings, jobs=jobs, dask=dask) as answers, to as write:
-        beside_data = writing.output is None and not writing.collected and _stdout_is_terminal()
-        if beside_data or len(questions) == 1:
-            shown = waited(answers, "Planning", quiet=writing.quiet)  # a bar would stand in the way of what is printed
-        else:
-            shown = progress_bar(answers, "Planning recipes", len(questions), there, quiet=writing.quiet)
+        shown = _with_progress(answers, writing, len(questions), there)
         codes = [_write(answer, write, writing.say) for answer in shown]
     return max([*codes, 0 if done is None else done.exit_code])
+
+
+def _with_progress(answers: Iterable[Answer], writing: Writing, total: int, there: int) -> Iterator[Answer]:
+    """Pass answers on under a bar; where it would stand in the way of what is printed, tell that one is waited for."""
+    beside_data = writing.output is None and not writing.collected and _stdout_is_terminal()
+    if beside_data or total == 1:
+        return waited(answers, "Planning", quiet=writing.quiet)
+    return progress_bar(answers, "Planning recipes", total, there, quiet=writing.quiet)
 
 
 def show_line(answer: Answer) -> None:

@@ -68,8 +68,12 @@ def check(  # noqa: PLR0917 - each parameter is an option of its own
     judged = _judged(trees, recipe, kitchen, files, sayer(quiet=quiet))
     for document, report in judged:
         _show(document.tree, report, as_json=as_json)
-    if any(document.tree.error is not None or report.fatal or not report.accepted for document, report in judged):
+    if any(_is_refused(document, report) for document, report in judged):
         raise typer.Exit(1)
+
+
+def _is_refused(document: TreeDocument, report: Report) -> bool:
+    return document.tree.error is not None or bool(report.fatal) or not report.accepted
 
 
 def _tell_rules(name: str | None, trees: Sequence[Path], *, both: bool, as_json: bool) -> None:
@@ -195,8 +199,17 @@ def _lines(tree: TaskTree, report: Report) -> Iterator[str]:
             yield f"  {level}:"
             yield from (f"    {_told(finding)}" for finding in findings)
     yield from (f"  {note}" for note in report.notes)
-    for why in dict.fromkeys(why for rule, why in report.not_asked if rule != "C9"):
-        yield f"  not asked: {', '.join(rule for rule, other in report.not_asked if other == why)} ({why})"
+    yield from _not_asked(report)
+
+
+def _not_asked(report: Report) -> Iterator[str]:
+    """Yield, for each reason, the rules that were not asked; C9 compares trees, and is asked of one never."""
+    rules: dict[str, list[str]] = {}
+    for rule, why in report.not_asked:
+        rules.setdefault(why, []).append(rule)
+    for why, named in rules.items():
+        if named != ["C9"]:
+            yield f"  not asked: {', '.join(named)} ({why})"
 
 
 def _verdict(tree: TaskTree, report: Report) -> str:

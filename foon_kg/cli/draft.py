@@ -156,10 +156,7 @@ def accept(
 
     say = sayer(quiet=quiet)
     drafts = [read_draft(path) for path in paths]
-    subgraphs = [draft.subgraph for draft in drafts if draft.subgraph is not None]
-    if len(subgraphs) < len(drafts):
-        names = ", ".join(draft.path for draft in drafts if draft.subgraph is None)
-        raise UsageError(f"no unit in {names}", hint="Fill in the rows: a motion, inputs and outputs.")
+    subgraphs = _drafted(drafts)
     if not anyway:
         _refuse_doubts(drafts, sure, say)
     loaded = _accept(subgraphs, say, replacing=anyway)
@@ -171,6 +168,15 @@ def accept(
 
 app.command(epilog=draft_recipes.EXAMPLES)(draft_recipes.recipes)
 app.command(epilog=draft_review.EXAMPLES)(draft_review.review)
+
+
+def _drafted(drafts: Sequence[DraftFile]) -> list[Subgraph]:
+    """Return what ``drafts`` hold; raises UsageError where one has no unit."""
+    subgraphs = [draft.subgraph for draft in drafts if draft.subgraph is not None]
+    if len(subgraphs) < len(drafts):
+        names = ", ".join(draft.path for draft in drafts if draft.subgraph is None)
+        raise UsageError(f"no unit in {names}", hint="Fill in the rows: a motion, inputs and outputs.")
+    return subgraphs
 
 
 def _refuse_doubts(drafts: Sequence[DraftFile], sure: float, say: Say) -> None:

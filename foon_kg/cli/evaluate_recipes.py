@@ -90,14 +90,12 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
     evaluation = _evaluated(asked, snapshot, seed, options.Run(output, jobs, dask, say, quiet, method))
     if scores_to is not None:
         options.write_text(scores_to, write_sheet(evaluation.recipes), "--scores-to")
-    agreement = None if sheet is None or scores is None else _agreement(evaluation, sheet, scores)
+    agreement = _agreement(evaluation, sheet, scores)
     comparison = None if before is None else options.compared(before, evaluation.to_json(), str(compare), seed)
     if html is not None:
         _write_report(html, evaluation, agreement, comparison)
-    if as_json:
-        print_json(_json(evaluation.to_json(), agreement, comparison))
-    else:
-        _show(evaluation, agreement, comparison, 0 if sheet is None else sheet.left_open)
+    left_open = 0 if sheet is None else sheet.left_open
+    _tell(evaluation, agreement, comparison, left_open, as_json=as_json)
 
 
 def _asked(
@@ -108,9 +106,7 @@ def _asked(
     from foon_kg.planning.recipes import IngredientWords
     from foon_kg.plans.kitchen import Kitchen
 
-    unknown = next((name for name in dishes if name not in DISH_TYPES), None)
-    if unknown is not None:
-        raise UsageError(f"there is no dish type {unknown}", hint=f"One of: {', '.join(DISH_TYPES)}.")
+    _refuse_unknown(dishes)
     words = IngredientWords(snapshot.vocabulary(), Kitchen.default())
     if paths:
         found = [one for one in _read(paths, words, say) if not dishes or one.dish_type in dishes]
@@ -120,6 +116,13 @@ def _asked(
     if not found:
         raise UsageError("there is no such recipe", hint="Name other files or dish types; foon recipes counts them.")
     return sorted(found, key=lambda recipe: (recipe.dish_type, recipe.id or ""))
+
+
+def _refuse_unknown(dishes: Sequence[str]) -> None:
+    """Refuse names that are no dish types."""
+    unknown = next((name for name in dishes if name not in DISH_TYPES), None)
+    if unknown is not None:
+        raise UsageError(f"there is no dish type {unknown}", hint=f"One of: {', '.join(DISH_TYPES)}.")
 
 
 def _read(paths: Sequence[Path], words: IngredientWords, say: Say) -> list[Recipe]:
@@ -200,7 +203,10 @@ def _outcomes(asked: Sequence[Recipe], snapshot: Snapshot, run: options.Run) -> 
     ]
 
 
-def _agreement(evaluation: RecipeEvaluation, sheet: FilledSheet, path: Path) -> Agreement:
+def _agreement(evaluation: RecipeEvaluation, sheet: FilledSheet | None, path: Path | None) -> Agreement | None:
+    """Return how well people and the rule agree; ``None`` where there is no ``sheet`` (read from ``path``)."""
+    if sheet is None or path is None:
+        return None
     from foon_kg.evaluation.agreement import agreement
     from foon_kg.evaluation.sheet import scored_by_both
 
@@ -215,9 +221,18 @@ def _json(value: JsonObject, agreement: Agreement | None, comparison: Comparison
     return value
 
 
-def _show(
-    evaluation: RecipeEvaluation, agreement: Agreement | None, comparison: Comparison | None, left_open: int
+def _tell(
+    evaluation: RecipeEvaluation,
+    agreement: Agreement | None,
+    comparison: Comparison | None,
+    left_open: int,
+    *,
+    as_json: bool,
 ) -> None:
+    """Print an evaluation with what it was compared with; people left so many scores open (``left_open``)."""
+    if as_json:
+        print_json(_json(evaluation.to_json(), agreement, comparison))
+        return
     from foon_kg.formats.views.evaluation import agreement_view, comparison_view, recipe_evaluation_view
 
     print_view(recipe_evaluation_view(evaluation))

@@ -104,25 +104,37 @@ def _evaluated(
 ) -> LeaveOneOut:
     from foon_kg.evaluation.left_out_video import left_out_video
     from foon_kg.evaluation.methods import METHODS
-    from foon_kg.evaluation.sampling import known_enough, left_out, sampled
+    from foon_kg.evaluation.sampling import known_enough, left_out
     from foon_kg.evaluation.video_figures import LeaveOneOut
 
     found = [(subgraph.name, left_out_video(subgraph, snapshot.kitchen)) for subgraph in snapshot.subgraphs]
-    videos = [video for _, video in found if video is not None and (not dishes or video.recipe.dish_type in dishes)]
+    videos = [video for _, video in found if video is not None and _is_of(video, dishes)]
     goals = snapshot.goals()
     enough, out = known_enough(goals), left_out((video.recipe.dish_type for video in videos), goals)
-    drawn = [video.recipe for video in videos if video.recipe.dish_type in enough]
-    drawn = drawn if sample is None else sampled(drawn, sample, seed)
-    names = {recipe.id for recipe in drawn}
+    asked = _asked([video for video in videos if video.recipe.dish_type in enough], sample, seed)
+    compared_methods = tuple(METHODS)
+    figures = _figures(asked, snapshot, compared_methods, run)
+    nothing = tuple(name for name, video in found if video is None)
+    return LeaveOneOut(options.foon_key(snapshot), seed, figures, compared_methods, out, nothing)
+
+
+def _is_of(video: LeftOutVideo, dishes: Sequence[str]) -> bool:
+    """Whether a video makes one of these dish types, of which none means all."""
+    return not dishes or video.recipe.dish_type in dishes
+
+
+def _asked(videos: Sequence[LeftOutVideo], sample: int | None, seed: int) -> list[LeftOutVideo]:
+    """Return the videos to leave out, ``sample`` of each dish type where that is a number; raises where none is."""
+    from foon_kg.evaluation.sampling import sampled
+
+    recipes = [video.recipe for video in videos]
+    names = {recipe.id for recipe in (recipes if sample is None else sampled(recipes, sample, seed))}
     asked = [video for video in videos if video.name in names]
     if not asked:
         raise UsageError(
             "there is no video to leave out", hint="It needs a dish type with three goals in the FOON: see foon stats."
         )
-    compared_methods = tuple(METHODS)
-    figures = _figures(asked, snapshot, compared_methods, run)
-    nothing = tuple(name for name, video in found if video is None)
-    return LeaveOneOut(options.foon_key(snapshot), seed, figures, compared_methods, out, nothing)
+    return asked
 
 
 def _figures(

@@ -48,16 +48,25 @@ def command(query: NamedQuery) -> str:
 def _typed(query: NamedQuery, name: str, kind: str, text: str) -> object:
     if kind == "STRING":
         return text
-    try:
-        value = json_value(text)
-    except json.JSONDecodeError:
-        value = [word.strip() for word in text.split(",")] if kind == "LIST<STRING>" else None
+    value = _value(kind, text)
     if kind == "INTEGER" and type(value) is int:
         return value
-    if kind == "LIST<STRING>" and isinstance(value, list) and all(isinstance(word, str) for word in value):
+    if kind == "LIST<STRING>" and _is_words(value):
         return value
     wanted = "a whole number" if kind == "INTEGER" else "words with commas between them, or a list in JSON"
     raise UsageError(f"{query.name}: {name} is {text}, and should be {wanted}", hint=_asked_like(query))
+
+
+def _value(kind: str, text: str) -> object:
+    """Return the value of a text in JSON, else for a list the words between its commas, else ``None``."""
+    try:
+        return json_value(text)
+    except json.JSONDecodeError:
+        return [word.strip() for word in text.split(",")] if kind == "LIST<STRING>" else None
+
+
+def _is_words(value: object) -> bool:
+    return isinstance(value, list) and all(isinstance(word, str) for word in value)
 
 
 def _asked_like(query: NamedQuery) -> str:

@@ -105,10 +105,7 @@ def export(
     if as_json and form not in {None, "json"}:
         raise UsageError(f"--json and --format {form} ask for two forms", hint="Leave one of them out.")
     form = _chosen("json" if as_json else form, output)
-    if recipe is not None and form != "markdown":
-        _refuse({"--recipe": recipe}, form)
-    if weights is not None and form not in _WEIGHTED:
-        _refuse({"--weights": weights}, form)
+    _refuse_idle(form, recipe, weights)
     if tree is not None:
         _refuse({"--goal": goal, "--kitchen": kitchen, "--files": files}, "task trees")
         written = _trees(tree, form, recipe, weights, say)
@@ -120,6 +117,14 @@ def export(
     if form == "csv" and output is not None:
         say(f"In {output}: neo4j-admin database import full neo4j @import.txt, start Neo4j, then")
         say("foon cypher --write - < after.cypher, then foon load foon with any of the files, for the constraints.")
+
+
+def _refuse_idle(form: str, recipe: Path | None, weights: Path | None) -> None:
+    """Refuse a recipe or weights for a form that takes nothing of them."""
+    if form != "markdown":
+        _refuse({"--recipe": recipe}, form)
+    if form not in _WEIGHTED:
+        _refuse({"--weights": weights}, form)
 
 
 def _trees(file: Path, form: str, recipe: Path | None, weights: Path | None, say: Say) -> list[ExportFile]:

@@ -89,26 +89,18 @@ def foon(
     goes on with what it holds until all is ready. No more than a part of the files is in memory. Collections of recipes
     come with it by --recipes, as foon load recipes brings them.
     """
-    from foon_kg.cli.files_read import FilesRead, remember, remembered
     from foon_kg.loaders.found import foon_files
 
     _refuse_together(offline=offline, replace=replace, check=check, recipes=bool(recipes))
-    files, results = foon_files(paths), None
+    files = foon_files(paths)
     if offline and not dry_run:
         counts = _import(files, report, bad_tolerance, recipes or [], replace=replace, quiet=quiet)
         show_counts(counts, as_json=as_json)
         return
-    read = None if check else remembered(files)
-    known = read is not None
-    if read is None:
-        results = _parsed(files)
-        read = FilesRead.of(results)
-        remember(files, read)
+    read, results = _read(files, anew=check)
     say = sayer(quiet=quiet)
     _tell(read, report, bad_tolerance, say, _played(results, say) if check and results else ())
-    loaded = None
-    if not dry_run:
-        loaded = (_unchanged(read, quiet=quiet) if known else None) or _load(results or _parsed(files), quiet=quiet)
+    loaded = None if dry_run else _stored(files, read, results, quiet=quiet)
     with load_recipes.beside(recipes or [], bad_tolerance, say, quiet=quiet) as (_, counts):  # of a dry run
         show_counts(_counts(read, loaded) | counts, as_json=as_json)
 
@@ -215,6 +207,25 @@ def _played(results: Sequence[ReadResult], say: Say) -> tuple[Notice, ...]:
     from foon_kg.cli.load_check import played
 
     return played(results, say)
+
+
+def _read(files: Sequence[Path], *, anew: bool) -> tuple[FilesRead, list[ReadResult] | None]:
+    """Return what is in ``files``, and their units where they had to be parsed: ``anew``, or since they changed."""
+    from foon_kg.cli.files_read import FilesRead, remember, remembered
+
+    if not anew and (known := remembered(files)) is not None:
+        return known, None
+    results = _parsed(files)
+    read = FilesRead.of(results)
+    remember(files, read)
+    return read, results
+
+
+def _stored(files: Sequence[Path], read: FilesRead, results: list[ReadResult] | None, *, quiet: bool) -> Counts:
+    """Bring ``files`` into the graph; those that were parsed before are parsed again only if it lacks something."""
+    if results is not None:
+        return _load(results, quiet=quiet)
+    return _unchanged(read, quiet=quiet) or _load(_parsed(files), quiet=quiet)
 
 
 def _parsed(files: Sequence[Path]) -> list[ReadResult]:

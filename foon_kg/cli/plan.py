@@ -183,7 +183,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     )
     if recipes is not None:
         _one_form({"--recipes": True, "--foon": foon, "--explain": explain, "--enumerate": enumerate_all})
-        _alone(wanted or recipe or dish or title)
+        _alone(wanted, recipe, dish, title)
         _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, dask, say, quiet)))
         return
     questions = _called(_questions(wanted or [], dish, recipe or [], say), title)
@@ -203,8 +203,8 @@ def _finish(code: int) -> None:
         raise typer.Exit(code)
 
 
-def _alone(others: object) -> None:
-    if others:
+def _alone(*others: object) -> None:
+    if any(others):
         raise UsageError("--recipes names all that is to be planned", hint="Leave out other recipes and --dish.")
 
 

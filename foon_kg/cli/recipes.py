@@ -13,6 +13,7 @@ from foon_kg.cli.streams import data
 
 if TYPE_CHECKING:
     from foon_kg.foon import Foon
+    from foon_kg.model.collected import CalledFor
     from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, WantedFoodRow
     from foon_kg.store.graph.recipes import StoredRecipe
 
@@ -85,9 +86,13 @@ def _show_recipes(shown: list[StoredRecipe], *, as_json: bool) -> None:
         kinds = ", ".join(f"{dish.name}{'' if dish.sure else '?'}" for dish in recipe.dish_classes) or "no dish type"
         data().print(f"{recipe.title or '(no title)'}  [{recipe.id}]  {kinds}", style="bold", markup=False)
         for called in recipe.ingredients:
-            what = f"{called.object}, {called.state}" if called.state else called.object
-            data().print(f"  {what}{f'  ({called.amount})' if called.amount else ''}", markup=False, highlight=False)
+            data().print(f"  {_called_for(called)}", markup=False, highlight=False)
     return None
+
+
+def _called_for(called: CalledFor) -> str:
+    what = f"{called.object}, {called.state}" if called.state else called.object
+    return f"{what}  ({called.amount})" if called.amount else what
 
 
 def _recipe_json(recipe: StoredRecipe) -> dict[str, object]:

@@ -92,9 +92,15 @@ def counting(
         if shown.live.is_started:
             shown.stop()
             if closing:
-                of = "" if total is None else f" of {total:,}"
-                many = f": {counted[0] + done:,}{of}" if total or counted[0] else ""
-                console.print(f"{label}{many} in {_long(monotonic() - begun)}", style="dim", markup=False)
+                told = _summary(label, counted[0], done, total)
+                console.print(f"{told} in {_long(monotonic() - begun)}", style="dim", markup=False)
+
+
+def _summary(label: str, counted: int, done: int, total: int | None) -> str:
+    """Return the line that a bar leaves behind, but for its seconds: ``counted`` here, and ``done`` before."""
+    if not (total or counted):
+        return label
+    return f"{label}: {counted + done:,}" + ("" if total is None else f" of {total:,}")
 
 
 def _nothing(_more: int) -> None:

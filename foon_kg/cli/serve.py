@@ -75,20 +75,15 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     from foon_kg.web.connections import server_of
     from foon_kg.web.explore.cypher import CypherDesk
     from foon_kg.web.limits import Limits
-    from foon_kg.web.security import is_loopback, own_names, public_name, token_from
+    from foon_kg.web.security import own_names, public_name
     from foon_kg.web.service import FoonService
 
     say = sayer(quiet=quiet)
     public = [public_name(name) for name in names or ()]
     callers = Callers(tuple(map(proxy_network, proxies or ())))
-    if token_file is None and (public or not is_loopback(host)):
-        raise UsageError(
-            f"anybody could reach {public[0] if public else host}, and there is no token",
-            hint="Add --token-file FILE (it is made), or stay with 127.0.0.1 and no --name.",
-        )
     if cypher and files:
         raise UsageError("files cannot be asked in Cypher", hint="Leave out --cypher, or load them into Neo4j.")
-    token = None if token_file is None else token_from(token_file.expanduser())
+    token = _token(token_file, host, public)
     foon = served_foon(files, say)
     collect_often()
     listener = _listening(host, port)
@@ -102,6 +97,20 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
         service, names=own_names(host), public=public, token=token, limits=limits, callers=callers, cypher=desk
     )
     server_of(app, limits, callers).run(sockets=[listener])
+
+
+def _token(file: Path | None, host: str, public: Sequence[str]) -> str | None:
+    """Return the token in a file, which is made where it is missing; raises UsageError where there has to be one."""
+    from foon_kg.web.security import is_loopback, token_from
+
+    if file is not None:
+        return token_from(file.expanduser())
+    if public or not is_loopback(host):
+        raise UsageError(
+            f"anybody could reach {public[0] if public else host}, and there is no token",
+            hint="Add --token-file FILE (it is made), or stay with 127.0.0.1 and no --name.",
+        )
+    return None
 
 
 def served_foon(files: Sequence[Path] | None, say: Say) -> FoonSource:

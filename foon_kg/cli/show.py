@@ -75,17 +75,13 @@ def show(
     Only --schedule and --difference ask a FOON (of --files, or the database): for the times at which videos show each
     motion, and for the reference tree.
     """
-    chosen = _form(
-        {"--format": form, "--svg": svg and "svg", "--png": png and "png", "--html": html and "html"}, output
-    )
+    chosen = _form(form, {"svg": svg, "png": png, "html": html}, output)
     matters = {"progress": progress, "schedule": timetable, "shopping": shopping, "difference": changes}
-    matters["units"] = as_units
-    _at_most_one("matters", [f"--{matter}" for matter, asked in matters.items() if asked])
-    matter = next((matter for matter, asked in matters.items() if asked), "tree")
+    matter = _matter(matters | {"units": as_units})
     if as_json or chosen == "json":
         chosen = _only_json(chosen)
-    elif chosen and (shopping or as_units or (chosen == "html" and matter != "tree")):
-        raise UsageError(f"--{chosen} does not show that", hint="A page has the lists; ask for --svg or --png.")
+    elif chosen:
+        _refuse_undrawn(matter, chosen)
     shown = Shown(shown_tree(result, line), matter, hands, files, quiet=quiet, folded=not unfold)
     _tell(shown, chosen, output)
 
@@ -106,9 +102,26 @@ def _tell(shown: Shown, form: str | None, output: Path | None) -> None:
             _write(shown.drawn().encode(), output)
 
 
-def _form(asked: Mapping[str, str | Literal[False] | None], output: Path | None) -> str | None:
-    """Return the form that options ask for, else the ending of the file; raises UsageError where two are asked."""
-    forms = {option: form for option, form in asked.items() if form}
+def _matter(asked: Mapping[str, bool]) -> str:
+    """Return the one matter of a tree that is asked for, else the tree; raises UsageError where several are."""
+    matters = [matter for matter, is_asked in asked.items() if is_asked]
+    _at_most_one("matters", [f"--{matter}" for matter in matters])
+    return matters[0] if matters else "tree"
+
+
+def _refuse_undrawn(matter: str, form: str) -> None:
+    """Refuse a picture of what has none, or a page of a matter alone: it has them all."""
+    if matter in {"shopping", "units"} or (form == "html" and matter != "tree"):
+        raise UsageError(f"--{form} does not show that", hint="A page has the lists; ask for --svg or --png.")
+
+
+def _form(form: str | None, short: Mapping[str, bool], output: Path | None) -> str | None:
+    """Return the form that is asked for by its name or in ``short``, else the ending of the file.
+
+    Raises UsageError where two are asked for, and where the ending says none.
+    """
+    forms = {"--format": form} if form else {}
+    forms |= {f"--{name}": name for name, is_asked in short.items() if is_asked}
     if len(set(forms.values())) > 1:
         _at_most_one("forms", list(forms))
     if forms or output is None:

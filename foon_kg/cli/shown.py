@@ -46,11 +46,11 @@ class Shown:
             case "difference":
                 return told | {"steps": [one.to_json() for one in self.difference()]}
             case "shopping":
-                return told | {"shopping": [node_to_json(one) for one in shopping_list(self.tree.kitchen, kitchen)]}
+                return told | {"shopping": list(map(node_to_json, shopping_list(self.tree.kitchen, kitchen)))}
             case "progress":
                 return told | {"progress_lines": [line.to_json() for line in self.tree.lines]}
             case "units":
-                return told | {"units": [unit_to_json(unit) for unit in units]}
+                return told | {"units": list(map(unit_to_json, units))}
             case _:
                 return told | {"steps": [sentence(unit.as_unit(), kitchen) for unit in units]}
 

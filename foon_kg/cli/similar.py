@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -65,8 +66,7 @@ def similar(
             if not neighbours or neighbours[0].confidence < _UNSURE:
                 _tell_spelling(name, say)
             if as_json:
-                known = [{"name": other.name, "confidence": other.confidence} for other in neighbours]
-                print_json({"name": name, "nearest": known})
+                print_json({"name": name, "nearest": list(map(asdict, neighbours))})
             else:
                 why = ["; ".join(foon.why_similar(name, other.name, vectors=vectors)) for other in neighbours]
                 _print_neighbours(name, neighbours, why)

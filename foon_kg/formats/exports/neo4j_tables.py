@@ -28,23 +28,24 @@ def node_tables(foon: Snapshot) -> dict[str, list[Row]]:
     """Return, for each label, the properties of its nodes in ``foon``, one row a node."""
     counts = _counts(foon)
     objects = _objects(foon)
-    foods = sorted(
-        {row.label for row in counts.seen_as()} | {name for goal in foon.goals() for name in goal.ingredients}
-    )
-    states = {row.state for row in counts.seen_as()} | {row.state for row in counts.made_by()}
     return {
         "Video": [(video.name, video.content_key, video.sources) for video in foon.subgraphs],
         "Label": _names(node.label for node in objects),
         "Object": [(*_fields(node), *_flags(node, foon)) for node in objects],
         "Motion": [(known.unit.key, known.unit.motion, known.unit.accepts_any) for known in foon.units],
         "DishType": _names(goal.dish_type for goal in foon.goals()),
-        "Ingredient": [
-            (food, canonical(food), singular(food), point)
-            for food, point in zip(foods, indexed_points(foods), strict=True)
-        ],
-        "State": _names(states),
+        "Ingredient": _ingredients(foon, counts),
+        "State": _names({row.state for row in counts.seen_as()} | {row.state for row in counts.made_by()}),
         "Verb": [(row.motion, row.units, row.several) for row in counts.gatherings()],
     }
+
+
+def _ingredients(foon: Snapshot, counts: WordCounts) -> list[Row]:
+    """Return the foods that are seen, and those that goals are made of, with their points."""
+    made_of = {name for goal in foon.goals() for name in goal.ingredients}
+    foods = sorted({row.label for row in counts.seen_as()} | made_of)
+    points = zip(foods, indexed_points(foods), strict=True)
+    return [(food, canonical(food), singular(food), point) for food, point in points]
 
 
 def edge_tables(foon: Snapshot) -> dict[str, list[Row]]:
@@ -53,18 +54,22 @@ def edge_tables(foon: Snapshot) -> dict[str, list[Row]]:
     A node is named by its key or its name, whichever it has.
     """
     counts = _counts(foon)
-    goals = [(node, dish, video.name) for video in foon.subgraphs for node, dish in goals_of(video, foon.kitchen)]
-    made_of = sorted({(node.key, food) for node, _, _ in goals for food in node.ingredients})
     return {
         "CALLED": [(node.key, node.label) for node in _objects(foon)],
         **_participations(foon),
         "NEXT": [(one, other, video.name, place) for video in foon.subgraphs for one, other, place in following(video)],
         "SEEN_IN": [row for video in foon.subgraphs for row in _sightings(video)],
-        "IS_A": [(node.key, dish, video) for node, dish, video in goals],
-        "MADE_OF": list(made_of),
+        **_dishes(foon),
         "SEEN_AS": [(row.label, row.state, row.made, row.used) for row in counts.seen_as()],
         "MADE_BY": [(row.state, row.motion, row.count) for row in counts.made_by()],
     }
+
+
+def _dishes(foon: Snapshot) -> dict[str, list[Row]]:
+    """Return of which dish type each goal is, by which video, and of which foods it is made."""
+    goals = [(node, dish, video.name) for video in foon.subgraphs for node, dish in goals_of(video, foon.kitchen)]
+    made_of = sorted({(node.key, food) for node, _, _ in goals for food in node.ingredients})
+    return {"IS_A": [(node.key, dish, video) for node, dish, video in goals], "MADE_OF": list(made_of)}
 
 
 def _participations(foon: Snapshot) -> dict[str, list[Row]]:

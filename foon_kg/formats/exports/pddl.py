@@ -15,7 +15,7 @@ Kept to ``:strips`` and ``:typing``, which every planner reads. What a name stan
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Self
 
@@ -124,12 +124,18 @@ def foon_to_pddl(foon: Snapshot, goal: str, kitchen: Kitchen | None = None) -> P
 def _at_hand(units: Sequence[FunctionalUnit], kitchen: Kitchen) -> set[ObjectNode]:
     made = {node for unit in units for node in newly_made(unit)}
     found = {node for node in nodes_of(units) if kitchen.has(node)}
+    return found.union(_possible_leaves(units, made, kitchen))
+
+
+def _possible_leaves(
+    units: Sequence[FunctionalUnit], made: Collection[ObjectNode], kitchen: Kitchen
+) -> Iterator[ObjectNode]:
+    """Yield the inputs, none of them ``made``, that may be leaves beside the others of their units."""
     for unit in units:
         for node in unit.input_nodes:
             beside = [other for other in unit.input_nodes if other != node]
             if node not in made and not kitchen.lacks(node) and kitchen.may_be_leaf(node, beside):
-                found.add(node)
-    return found
+                yield node
 
 
 @dataclass(frozen=True)

@@ -110,17 +110,18 @@ class Kitchenful:
 def _things(units: Sequence[TreeUnit], kitchen: Kitchen) -> dict[int, Thing]:
     """Return every thing by its number, also one in which others only are said to be."""
     things: dict[int, Thing] = {}
-    for unit in units:
-        for node, number, _ in (*unit.taken, *unit.made):
-            if number is not None and number not in things:
-                kind = FOOD if kitchen.is_food(node) else UTENSIL
-                things[number] = Thing(name_of(f"t{number}", node.label), node.label, kind)
-    for unit in units:
-        for node, _, container in (*unit.taken, *unit.made):
-            if container is not None and container not in things:
-                label = node.container or ""
-                things[container] = Thing(name_of(f"t{container}", label), label, UTENSIL)
+    mentions = [one for unit in units for one in (*unit.taken, *unit.made)]
+    for node, number, _ in mentions:
+        if number is not None and number not in things:
+            things[number] = _thing(number, node.label, FOOD if kitchen.is_food(node) else UTENSIL)
+    for node, _, container in mentions:
+        if container is not None and container not in things:
+            things[container] = _thing(container, node.container, UTENSIL)
     return things
+
+
+def _thing(number: int, label: str | None, kind: str) -> Thing:
+    return Thing(name_of(f"t{number}", label or ""), label or "", kind)
 
 
 def _form(one: Mention) -> ObjectNode:

@@ -68,13 +68,23 @@ def in_words(verb: str, states: Iterable[str]) -> tuple[str, str]:
     """
     if verb.rsplit(maxsplit=1)[-1] in _PARTS:
         return "", ""
-    shapes = _said("shapes")
     told = [state for state in states if not _goes_without_saying(verb, state)]
-    manner = next((state for state in told if _is_manner(verb, state)), "")
-    cut = listed(shapes[state] for state in told if state in shapes)
-    rest = listed(state for state in told if state not in shapes and state != manner)
-    adverb = f"{manner.split()[0]} " if manner else ""
-    return adverb, (f" into {cut}" if cut else "") + (f" until {rest}" if rest else "")
+    manner = next((state for state in told if _is_manner(verb, state)), None)
+    adverb = "" if manner is None else f"{manner.split()[0]} "
+    return adverb, _shapes_in_words(told) + _until(told, manner)
+
+
+def _shapes_in_words(states: Iterable[str]) -> str:
+    shapes = _said("shapes")
+    cut = listed(shapes[state] for state in states if state in shapes)
+    return f" into {cut}" if cut else ""
+
+
+def _until(states: Iterable[str], manner: str | None) -> str:
+    """Return in words how far a step goes, by the states that are no shapes nor its ``manner``."""
+    shapes = _said("shapes")
+    rest = listed(state for state in states if state not in shapes and state != manner)
+    return f" until {rest}" if rest else ""
 
 
 def _goes_without_saying(verb: str, state: str) -> bool:

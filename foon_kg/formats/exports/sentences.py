@@ -155,9 +155,12 @@ class _Reading:
         """Return what was there before, elsewhere than at ``place``, of what that ``gained``."""
         elsewhere = [node for node in self._inputs if node.container != place]
         known = [node.label for node in elsewhere if node.label in gained]
-        mixtures = [node for node in self._foods if node.container != place and node.ingredients]
-        known += [node.label for node in mixtures if gained >= {*node.ingredients}]
+        known += [node.label for node in elsewhere if self._is_mixture_of(node, gained)]
         return known + [name for node in self._utensils for name in node.ingredients if name in gained]
+
+    def _is_mixture_of(self, node: ObjectNode, names: set[str]) -> bool:
+        """Whether a node is a food that is made of nothing but what has these names."""
+        return self._kitchen.is_food(node) and bool(node.ingredients) and names >= {*node.ingredients}
 
     def _held_in(self, vessel: ObjectNode) -> list[str]:
         """Return what a vessel holds, a mixture by its name."""
@@ -171,11 +174,8 @@ class _Reading:
         return [name for name in told if name not in parts]
 
     def _bringing(self, target: ObjectNode) -> str:
-        places = {node.container for node in self._inputs if node.label in self._brought} - {target.label}
-        places |= {u.label for u in self._utensils if u.label != target.label and set(u.ingredients) & {*self._brought}}
+        places = self._left_places(target)
         source = next(iter(places)) if len(places) == 1 else None
-        if (dipped := self._dipped(target)) and source is not None:
-            return f"{with_object(self._verb, the(dipped))} into {the(self._brought)} in the {source}{self._gives[1]}"
         if self._verb == "fill":
             said = f"fill the {target.label} with {the(self._brought)}"
         else:
@@ -186,24 +186,35 @@ class _Reading:
             said += f" {self._way_to(target, moved=source is not None)} the {target.label}"
         return said + self._with_tools({target.label, *filter(None, places)}) + self._gives[1]
 
+    def _left_places(self, target: ObjectNode) -> set[str | None]:
+        """Return where what is brought to a vessel was before."""
+        brought = {*self._brought}
+        lay_in = {node.container for node in self._inputs if node.label in brought} - {target.label}
+        others = [node for node in self._utensils if node.label != target.label]
+        return lay_in | {node.label for node in others if not brought.isdisjoint(node.ingredients)}
+
+    def _way_to(self, target: ObjectNode, *, moved: bool) -> str:
+        """Return how what is brought comes to its place: into it, onto it, or over the foods that are there."""
+        under = self._smeared_over(target)
+        if 0 < len(under) <= _FEW:
+            return f"over {the(under)} {resting_in(target.label)}"
+        if is_flat(target.label) and not moved and not motions.transfers(self._verb):
+            return resting_in(target.label)  # cut on a board, not onto it
+        return motion_to(target.label, self._outputs)
+
+    def _smeared_over(self, target: ObjectNode) -> list[str]:
+        """Return the foods over which what is brought is smeared; none where nothing is."""
+        there = next(iter(_called(target.label, self._utensils)), target)
+        if there is target or word_list("is smeared by").isdisjoint(self._verb.split()):
+            return []
+        return [name for name in self._held_in(there) if name not in self._brought]
+
     def _dipped(self, target: ObjectNode) -> list[str]:
         """Return what is dipped into what is brought to it: what the ``target`` holds or carries besides."""
         if word_list("is turned in by").isdisjoint(self._verb.split()):
             return []
         there = next((node for node in self._utensils if node.label == target.label), target)
         return [name for name in self._held_in(there) if name not in self._brought]
-
-    def _way_to(self, target: ObjectNode, *, moved: bool) -> str:
-        """Return how what is brought comes to its place: into it, onto it, or over the foods that are there."""
-        if not word_list("is smeared by").isdisjoint(self._verb.split()):
-            there = next((node for node in self._utensils if node.label == target.label), target)
-            under = [name for name in self._held_in(there) if name not in self._brought] if there is not target else []
-            if 0 < len(under) <= _FEW:
-                return f"over {the(under)} {resting_in(target.label)}"
-        worked = (
-            is_flat(target.label) and not moved and not motions.transfers(self._verb)
-        )  # cut on a board, not onto it
-        return resting_in(target.label) if worked else motion_to(target.label, self._outputs)
 
     def _in_bath(self, names: list[str]) -> str:
         """Return foods with the water that they are cooked in: ``the rice in the water``."""
@@ -242,9 +253,11 @@ class _Reading:
     def _foods_changed(self) -> list[ObjectNode]:
         """The foods that change, water apart that only washes something."""
         changed = [food for food in self._foods if food in self._changed] or self._foods
-        told = {node.label for node in self._food_made}
-        foods = [food for food in changed if food.label in told or not self._kitchen.is_free(food.label)]
+        foods = [food for food in changed if not self._only_washes(food)]
         return foods if foods or any(node.ingredients for node in self._utensils) else changed
+
+    def _only_washes(self, food: ObjectNode) -> bool:
+        return self._kitchen.is_free(food.label) and not _called(food.label, self._food_made)
 
     def _handling(self) -> str:
         """Say what is done with utensils alone: one that is moved, else one that is there later too, else the first."""
@@ -256,18 +269,19 @@ class _Reading:
             return ((self._moved_to(node) is None) != covers, node.label not in after, not node.ingredients)
 
         first = min(changed, key=rank)
-        others = [node.label for node in self._inputs if node is not first]
-        place = self._moved_to(first)
-        said = with_object(self._verb, f"the {first.label}")
-        if (joined := joined_by(self._verb)) is not None and others:
-            said += f" {joined} the {others[0]}"
-        elif place is not None and place in others:
-            said += f" {motion_to(place, self._outputs)} the {place}"
-        elif first.container in others:
-            said += f" {first.relation} the {first.container}" if first.relation in _PLACES else ""
-        elif others and not self._verb.startswith("turn "):
-            said += f" with the {others[0]}"
-        return said + self._until_utensil(first)
+        beside = self._beside(first, [node.label for node in self._inputs if node is not first])
+        return with_object(self._verb, f"the {first.label}") + beside + self._until_utensil(first)
+
+    def _beside(self, first: ObjectNode, others: Sequence[str]) -> str:
+        """Return the words for what one of the ``others`` has to do with the ``first``: where it goes, with what."""
+        place, joined = self._moved_to(first), joined_by(self._verb)
+        if joined is not None and others:
+            return f" {joined} the {others[0]}"
+        if place is not None and place in others:
+            return f" {motion_to(place, self._outputs)} the {place}"
+        if first.container in others:
+            return f" {first.relation} the {first.container}" if first.relation in _PLACES else ""
+        return f" with the {others[0]}" if others and not self._verb.startswith("turn ") else ""
 
     def _moved_to(self, node: ObjectNode) -> str | None:
         """Return where a utensil ends up, if it is in or on something else then."""
@@ -296,19 +310,25 @@ class _Reading:
     @cached_property
     def _gives(self) -> tuple[str, str]:
         """In which states foods come out that they were not in: an adverb, and words at the end."""
-        found: list[str] = []
-        for label in dict.fromkeys(node.label for node in self._food_made):
-            after = [node for node in self._food_made if node.label == label]
-            before = [node for node in self._foods if node.label == label]
-            known = {state for node in before for state in node.states}
-            if len(after) == 1 and (before or motions.heats(self._verb)):
-                found += [state for state in after[0].states if state not in known]
-        return in_words(self._verb, found)
+        labels = dict.fromkeys(node.label for node in self._food_made)
+        return in_words(self._verb, [state for label in labels for state in self._new_states(label)])
+
+    def _new_states(self, label: str) -> list[str]:
+        """Return the states that the food called ``label`` was not in; none where several of that name come out."""
+        after, before = _called(label, self._food_made), _called(label, self._foods)
+        if len(after) != 1 or not (before or motions.heats(self._verb)):
+            return []
+        known = {state for node in before for state in node.states}
+        return [state for state in after[0].states if state not in known]
 
     def _until_utensil(self, node: ObjectNode) -> str:
         after = [state for other in self._outputs if other.label == node.label for state in other.states]
         told = [s for s in after if s not in node.states and s not in {"empty", "closed", "off", "on", "open"}]
         return in_words(self._verb, told)[1]
+
+
+def _called(label: str, nodes: Iterable[ObjectNode]) -> list[ObjectNode]:
+    return [node for node in nodes if node.label == label]
 
 
 def _only_place(foods: Sequence[ObjectNode]) -> str | None:

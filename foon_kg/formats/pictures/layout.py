@@ -88,13 +88,7 @@ def banded(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], bands: Sequ
 
 def _in_layers(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], layers: Sequence[int]) -> Layout:
     """Place boxes in these ``layers`` (from 0 down), which all parts share; the parts stand side by side."""
-    links = list(_divided(arrows, layers, len(sizes)))
-    drawn = cast("list[_Drawn]", fast_sugiyama.from_edges(links, dummy_vertices=True, vertex_spacing=1))
-    parts = []
-    for positions, _, _, own in sorted(drawn, key=lambda part: min(number for number, _ in part[0])):
-        part = _Part.of(positions, own or (), sizes)
-        first = min(layers[n] - row for row, layer in enumerate(part.layers) for n in layer if n < len(sizes))
-        parts.append((first, part))
+    parts = list(_parts_in_layers(sizes, arrows, layers))
     heights = [0.0] * (max(layers) + 1)
     for first, part in parts:
         for row, height in enumerate(part.heights()):
@@ -110,6 +104,17 @@ def _in_layers(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], layers:
         ways.update(part.ways(places, reach))
         left += size[0] + 3 * GAP
     return Layout(tuple(middles[i] for i in range(len(sizes))), ways, (left - 3 * GAP, tops[-1] - LAYER_GAP))
+
+
+def _parts_in_layers(
+    sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], layers: Sequence[int]
+) -> Iterator[tuple[int, _Part]]:
+    """Yield the connected parts from the one with the first box on, each with the layer in which it begins."""
+    links = list(_divided(arrows, layers, len(sizes)))
+    drawn = cast("list[_Drawn]", fast_sugiyama.from_edges(links, dummy_vertices=True, vertex_spacing=1))
+    for positions, _, _, own in sorted(drawn, key=lambda part: min(number for number, _ in part[0])):
+        part = _Part.of(positions, own or (), sizes)
+        yield min(layers[n] - row for row, layer in enumerate(part.layers) for n in layer if n < len(sizes)), part
 
 
 def _heights(boxes: Sequence[int], arrows: Sequence[tuple[int, int]]) -> dict[int, int]:
@@ -183,23 +188,27 @@ class _Part:
 
     def across(self) -> dict[int, float]:
         """Return how far to the right every box stands: sweep down and up until the layers lie well."""
+        above, below = self._pulls()
+        both = {n: above[n] + below[n] for n in self.sizes}
+        across: dict[int, float] = {}
+        for layer in self.layers:
+            across.update(zip(layer, _settle([0.0] * len(layer), [1.0] * len(layer), self._gaps(layer)), strict=True))
+        for sweep in range(_SWEEPS):
+            down = sweep % 2 == 0
+            near = both if sweep >= _SWEEPS // 2 else above if down else below
+            for layer in self.layers if down else reversed(self.layers):
+                self._pull(layer, near, across)
+        return across
+
+    def _pulls(self) -> tuple[dict[int, list[tuple[int, float]]], dict[int, list[tuple[int, float]]]]:
+        """Return for each box what pulls at it from above and from below, and how strongly."""
         above: dict[int, list[tuple[int, float]]] = {n: [] for n in self.sizes}
         below: dict[int, list[tuple[int, float]]] = {n: [] for n in self.sizes}
         for upper, lower in self.links:
             pull = _STRAIGHT ** ((upper >= self.boxes) + (lower >= self.boxes))
             below[upper].append((lower, pull))
             above[lower].append((upper, pull))
-        across: dict[int, float] = {}
-        for layer in self.layers:
-            across.update(zip(layer, _settle([0.0] * len(layer), [1.0] * len(layer), self._gaps(layer)), strict=True))
-        both = {n: above[n] + below[n] for n in self.sizes}
-        for sweep in range(_SWEEPS):
-            last = sweep >= _SWEEPS // 2
-            near, layers = (both if last else above, self.layers) if sweep % 2 == 0 else (
-                both if last else below, self.layers[::-1])  # fmt: skip
-            for layer in layers:
-                self._pull(layer, near, across)
-        return across
+        return above, below
 
     def _pull(
         self, layer: Sequence[int], near: Mapping[int, list[tuple[int, float]]], across: dict[int, float]

@@ -39,38 +39,35 @@ def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
     ``kitchen`` tells foods from utensils; see :func:`~foon_kg.formats.pictures.scene.scene_of` for ``folded``.
     """
     style, stage, script = (_file(name) for name in ("page.css", "stage.js", "page.js"))
-    parts = [
-        f"<h1>{_text(tree.title)}</h1>",
-        _section("tree", "Task tree", _stage(tree_svg(tree, kitchen, folded=folded))),
-        _section("steps", f"{len(tree.units)} steps", steps_list(tree)),
-        _section(
-            "shopping", "Shopping list", _list(_node(node, tree) for node in shopping_list(tree.kitchen, kitchen))
-        ),
-    ]
-    if tree.substitutions:
-        parts.append(_section("substitutions", "Substitutions", _list(map(_substitution, tree.substitutions))))
-    if tree.result and tree.result.assumptions:
-        told = (f"{_node(one.node, tree)}: {_text(one.why)}" for one in tree.result.assumptions)
-        parts.append(_section("assumptions", "Assumptions", _list(told)))
-    if tree.result and tree.result.passed_over:
-        nearer = (
-            f"<b>{one.similarity:.2f}</b> {_text(one.goal.label)}: {_text(one.why)}" for one in tree.result.passed_over
-        )
-        parts.append(_section("passed-over", "Nearer by their foods, and passed over", _list(nearer)))
-    if tree.lines:
-        parts.append(
-            _section(
-                "progress", "Progress of each ingredient", f'<div class="wide">{progress_svg(tree.told_once())}</div>'
-            )
-        )
     return (
         f'<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f"<title>{_text(tree.title)}</title>\n<style>\n{style}</style>\n</head>\n"
-        f"<body>\n<main>\n{''.join(parts)}</main>\n"
+        f"<body>\n<main>\n<h1>{_text(tree.title)}</h1>{''.join(_sections(tree, kitchen, folded=folded))}</main>\n"
         f'<script type="module">\n{stage}{script}</script>\n</body>\n</html>\n'
     )
+
+
+def _sections(tree: ShownTree, kitchen: Kitchen, *, folded: bool) -> Iterator[str]:
+    """Yield what stands on the page below its title; of lists those that have something in them."""
+    yield _section("tree", "Task tree", _stage(tree_svg(tree, kitchen, folded=folded)))
+    yield _section("steps", f"{len(tree.units)} steps", steps_list(tree))
+    shopping = shopping_list(tree.kitchen, kitchen)
+    yield _section("shopping", "Shopping list", _list(_node(node, tree) for node in shopping))
+    if tree.substitutions:
+        yield _section("substitutions", "Substitutions", _list(map(_substitution, tree.substitutions)))
+    if tree.result and tree.result.assumptions:
+        told = (f"{_node(one.node, tree)}: {_text(one.why)}" for one in tree.result.assumptions)
+        yield _section("assumptions", "Assumptions", _list(told))
+    if tree.result and tree.result.passed_over:
+        nearer = (
+            f"<b>{one.similarity:.2f}</b> {_text(one.goal.label)}: {_text(one.why)}" for one in tree.result.passed_over
+        )
+        yield _section("passed-over", "Nearer by their foods, and passed over", _list(nearer))
+    if tree.lines:
+        drawn = f'<div class="wide">{progress_svg(tree.told_once())}</div>'
+        yield _section("progress", "Progress of each ingredient", drawn)
 
 
 def steps_list(tree: ShownTree) -> str:

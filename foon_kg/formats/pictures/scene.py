@@ -177,17 +177,18 @@ class _Drawing:
 
     def _outputs(self, place: int, *, folded: bool) -> None:
         outputs = _made(self.units[place])
-        goal = next((one for one in outputs if one.node == self.goal), None)
-        if not folded:
-            for one in outputs:
-                self._made(place, one)
-        elif goal is not None and not self._made_later(place):
-            self._made(place, goal)
-        elif not any(self._taken(place, one) for one in outputs):
-            shown = shown_outputs([one.node for one in outputs])
-            for one in outputs:
-                if one.node in shown:
-                    self._made(place, one)
+        for one in self._drawn(place, outputs) if folded else outputs:
+            self._made(place, one)
+
+    def _drawn(self, place: int, outputs: Sequence[Mention]) -> Sequence[Mention]:
+        """Return which ``outputs`` of a step are drawn beside those that others take: the dish, else what is left."""
+        goal = [one for one in outputs if one.node == self.goal][:1]
+        if goal and not self._made_later(place):
+            return goal
+        if any(self._taken(place, one) for one in outputs):
+            return []  # what others take is drawn with them
+        shown = shown_outputs([one.node for one in outputs])
+        return [one for one in outputs if one.node in shown]
 
     def _made_later(self, place: int) -> bool:
         return any(self.goal in unit.output_nodes for unit in self.units[place + 1 :])

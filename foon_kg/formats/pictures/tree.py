@@ -145,11 +145,8 @@ class _Words:
     told: set[tuple[str, tuple[str, ...]]]
 
     def of_object(self, box: ObjectBox) -> list[Line]:
-        node, unseen = box.node, self.tree.unseen
-        lines = [Line(line, "name", 13, bold=True) for line in wrapped(node.label, _TEXT_WIDTH, 13)]
-        if node.label in unseen:
-            lines = [Line(UNSEEN_SIGN + node.label, "unseen", 13, bold=True)]
-            lines += self._once(unseen[node.label])
+        node = box.node
+        lines = self._name(node)
         lines += [Line(line, "state", 12) for line in wrapped(", ".join(node.states), _TEXT_WIDTH, 12) if line]
         for one in self.tree.substitutions:
             if one.kind == "state" and one.object == node.label and one.required in node.states:
@@ -158,6 +155,13 @@ class _Words:
         if node.container:
             lines.append(Line(f"{node.relation or 'at'} {node.container}", "aside", 11))
         return lines
+
+    def _name(self, node: ObjectNode) -> list[Line]:
+        """Return what a node is called; where the FOON has never seen it, what it is like as well."""
+        like = self.tree.unseen.get(node.label)
+        if like is None:
+            return [Line(line, "name", 13, bold=True) for line in wrapped(node.label, _TEXT_WIDTH, 13)]
+        return [Line(UNSEEN_SIGN + node.label, "unseen", 13, bold=True), *self._once(like)]
 
     def _once(self, one: Substitution) -> list[Line]:
         """Tell an equivalent where it is first met."""

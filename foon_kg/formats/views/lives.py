@@ -26,20 +26,30 @@ def lives(lines: Sequence[ProgressLine]) -> tuple[ProgressLine, ...]:
     found, waiting = list[ProgressLine](), list(lines)
     named: dict[Tail, str] = {}
     while waiting:
-        tails = Counter(tail for line in waiting for tail in dict.fromkeys(_tails(line)))
+        common = named.keys() | _shared(waiting)
         new: dict[Tail, str] = {}
         for line in waiting:
-            steps = tuple(replace(step, motion=motion_said(step.motion)) for step in line.steps)
-            cut = next((tail for tail in _tails(line) if tail in named or tails[tail] > 1), None)
-            if cut is None:
-                found.append(replace(line, steps=steps))
-                continue
-            if cut not in named:
+            cut = next((tail for tail in _tails(line) if tail in common), None)
+            if cut is not None and cut not in named:
                 new[cut] = named[cut] = _numbered(cut[0], named)
-            kept = len(line.steps) - cut[1]
-            found.append(ProgressLine(line.ingredient, steps[:kept], named[cut]))
+            found.append(_told(line) if cut is None else _told(_cut(line, cut, named[cut])))
         waiting = [ProgressLine(name, tail[2].steps, tail[2].end_product) for tail, name in new.items()]
     return tuple(found)
+
+
+def _shared(lines: Sequence[ProgressLine]) -> set[Tail]:
+    """Return the ends that several ``lines`` have in common."""
+    counts = Counter(tail for line in lines for tail in dict.fromkeys(_tails(line)))
+    return {tail for tail, count in counts.items() if count > 1}
+
+
+def _told(line: ProgressLine) -> ProgressLine:
+    return replace(line, steps=tuple(replace(step, motion=motion_said(step.motion)) for step in line.steps))
+
+
+def _cut(line: ProgressLine, tail: Tail, name: str) -> ProgressLine:
+    """Return a line without its ``tail``: it ends in what the food has become, called ``name``."""
+    return ProgressLine(line.ingredient, line.steps[: len(line.steps) - tail[1]], name)
 
 
 def _tails(line: ProgressLine) -> list[Tail]:

@@ -52,21 +52,26 @@ def plan_view(result: PlanResult) -> RenderableType:
 def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
     """Return the same of any tree, as far as it is known; its steps as sentences, or ``as_units`` of the FOON."""
     unseen = frozenset(tree.unseen)
-    rest = [_section("Kitchen", in_a_row((node_words(n, unseen) for n in _at_hand(tree.kitchen)), " · "))]
-    if tree.substitutions:
-        rest.append(_section("Substitutions", _substitutions(tree.substitutions)))
-    if tree.result and tree.result.assumptions:
-        rest.append(_section("Assumptions", _assumptions(tree.result)))
-    if tree.result and tree.result.passed_over:
-        rest.append(_section("Nearer by their foods, and passed over", _passed_over(tree.result)))
-    if tree.lines:
-        rest.append(_section("Progress of each ingredient", _progress(lives(tree.lines), unseen)))
+    rest = list(_beside_the_steps(tree, unseen))
     if unseen and not as_units:
         legend = f"{UNSEEN_SIGN} handled like another food: no video shows it so"
         rest.append(Padding(Text(legend, ASIDE), (1, 0, 0, 0)))
     header = _header(tree.result, unseen) if tree.result else _plain_header(tree)
     steps = _units(tree.units, unseen) if as_units else _sentences(tree.units, unseen)
     return Group(header, _Beside(_section("Steps", steps), Group(*rest)))
+
+
+def _beside_the_steps(tree: ShownTree, unseen: frozenset[str]) -> Iterator[RenderableType]:
+    """Yield what there is to say of a tree besides its steps; foods that are ``unseen`` carry their sign."""
+    yield _section("Kitchen", in_a_row((node_words(n, unseen) for n in _at_hand(tree.kitchen)), " · "))
+    if tree.substitutions:
+        yield _section("Substitutions", _substitutions(tree.substitutions))
+    if tree.result and tree.result.assumptions:
+        yield _section("Assumptions", _assumptions(tree.result))
+    if tree.result and tree.result.passed_over:
+        yield _section("Nearer by their foods, and passed over", _passed_over(tree.result))
+    if tree.lines:
+        yield _section("Progress of each ingredient", _progress(lives(tree.lines), unseen))
 
 
 def _at_hand(kitchen: Sequence[ObjectNode]) -> Iterator[ObjectNode]:

@@ -52,12 +52,19 @@ def drawn(answer: Answer, network: Network) -> Drawn:
         if isinstance(value, Node):
             if len(nodes) < MOST_DRAWN:
                 nodes.setdefault(value.element_id, _thing(value, network))
-        elif value.start_node is not None and value.end_node is not None:
-            ends = [_thing(node, network).id for node in (value.start_node, value.end_node)]
-            edges[Joined(ends[0], ends[1], _EDGES.get(value.type, value.type.lower().replace("_", " ")))] = None
+        elif (edge := _joined(value, network)) is not None:
+            edges[edge] = None
     things = {thing.id: thing for thing in nodes.values()}
     there = (edge for edge in edges if edge.source in things and edge.target in things)
     return Drawn(tuple(things.values()), tuple(there))
+
+
+def _joined(edge: Relationship, network: Network) -> Joined | None:
+    """Return what an edge joins, ``None`` where the question did not ask for its ends."""
+    if edge.start_node is None or edge.end_node is None:
+        return None
+    kind = _EDGES.get(edge.type, edge.type.lower().replace("_", " "))
+    return Joined(_thing(edge.start_node, network).id, _thing(edge.end_node, network).id, kind)
 
 
 def _graph_values(value: object) -> Iterator[Node | Relationship]:

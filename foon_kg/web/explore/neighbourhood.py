@@ -80,11 +80,8 @@ class Neighbours:
         if len(found) > 1:  # what is far away is of the same videos and types, which say nothing there
             beside = [thing for thing in beside if thing.kind not in {"video", "dish"}]
         joined = Counter(thing.id for thing in beside)
-        distinct = [thing for thing in {thing.id: thing for thing in beside}.values() if thing.id not in found]
-        distinct.sort(key=lambda thing: -joined[thing.id])
-        new = [thing.id for thing in distinct if thing.id not in there]
-        dropped = set(new[max(room, 0) :])
-        return [thing for thing in distinct if thing.id not in dropped]
+        distinct = {thing.id: thing for thing in beside if thing.id not in found}
+        return _with_room(sorted(distinct.values(), key=lambda thing: -joined[thing.id]), there, room)
 
     def next_to(self, thing: Thing, filters: Filters = NO_FILTERS) -> list[Thing]:
         """Return the neighbours of one thing that ``filters`` let through, what matters most first."""
@@ -172,6 +169,13 @@ class Neighbours:
             yield Edge(thing.id, f"dish:{goal.dish_type}", "type")
             yield from (Edge(thing.id, f"food:{food}", "contains") for food in goal.ingredients)
             yield from (Edge(f"video:{video}", thing.id, "shows") for video in goal.videos)
+
+
+def _with_room(things: Sequence[Thing], there: Collection[str], room: int) -> list[Thing]:
+    """Return ``things`` without those that are not ``there`` yet and for which there is no ``room``."""
+    new = [thing.id for thing in things if thing.id not in there]
+    dropped = set(new[max(room, 0) :])
+    return [thing for thing in things if thing.id not in dropped]
 
 
 def _in_turns(rows: Sequence[Sequence[T]]) -> Iterator[T]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -83,10 +83,13 @@ class Ways:
         """
         if stop.node in known.unit.output_nodes:
             return  # this step is about something else
-        before = {name for node in known.unit.input_nodes for name in self._foods(node)}
-        after = [Stop(node, name) for node in known.unit.output_nodes for name in self._foods(node)]
-        led = [one for one in after if one.name == stop.name or one.name not in before]
+        before = {one.name for one in self._stops(known.unit.input_nodes)}
+        led = [one for one in self._stops(known.unit.output_nodes) if one.name == stop.name or one.name not in before]
         yield from [one for one in led if not self.kitchen.is_utensil(one.node.label)] or led
+
+    def _stops(self, nodes: Iterable[ObjectNode]) -> Iterator[Stop]:
+        """Yield every food in ``nodes`` with the node that it is in."""
+        return (Stop(node, name) for node in nodes for name in self._foods(node))
 
     def _next(self, stop: Stop, filters: Filters) -> Iterator[tuple[KnownUnit, Stop]]:
         steps = [known for known in self.network.takers.get(stop.node, ()) if self.network.passes(known, filters)]
@@ -111,6 +114,7 @@ class Ways:
         return self._foods(node) if self.kitchen.is_utensil(node.label) else (node.label,)
 
     def _places(self, text: str) -> list[ObjectNode]:
+        """Return the objects that a text means; raises UnknownError where it means none."""
         if self.network.has(text):
             thing = self.network.thing(text)
             if thing.kind == "object":
@@ -118,16 +122,18 @@ class Ways:
             text = thing.name
         food, states, rest = self._words.parts(text)
         called = self._called.get(canonical(food), [])
-        nodes = [node for node in called if {*states, *rest} <= {state.lower() for state in node.states}]
-        if not nodes and all(self.kitchen.is_start_state(food, word) for word in (*states, *rest)):
-            nodes = [
-                node for node in called if not self.kitchen.processed_states(node)
-            ]  # raw, where it is called whole
-        if nodes:
+        if nodes := self._in_states(called, food, [*states, *rest]):
             return nodes
         if self.kitchen.is_utensil(food) and not called:
             raise UnknownError(f"“{text}” is a utensil", hint="Only foods are followed: name one at both ends.")
         raise _unknown(text, food, called)
+
+    def _in_states(self, nodes: list[ObjectNode], food: str, asked: Sequence[str]) -> list[ObjectNode]:
+        """Return those of a food's nodes that have all the asked states; the raw one, where it is called whole."""
+        found = [node for node in nodes if {*asked} <= {state.lower() for state in node.states}]
+        if found or not all(self.kitchen.is_start_state(food, word) for word in asked):
+            return found
+        return [node for node in nodes if not self.kitchen.processed_states(node)]
 
     @cached_property
     def _called(self) -> Mapping[str, list[ObjectNode]]:
