@@ -334,3 +334,16 @@ def test_egg_of_a_sweet_sauce_is_whisked_in_while_it_is_cold(steps):
     (whisked,) = [place for place, (foods, one, _) in enumerate(told) if one == "whisk" and "egg yolk" in foods]
     assert whisked < motions(told).index("cook and stir")
     assert inside(told, "cook and stir") == {"butter", "sugar", "egg yolk", "whisky"}
+
+
+@pytest.mark.parametrize("asked", [("quinoa:grain", "water:liquid"), ("water:liquid", "salt:granulated", "rice:grain")])
+def test_grain_of_a_salad_takes_up_the_water_that_is_listed_beside_it(steps, asked):
+    told = steps("salad", "", *asked, "cucumber:diced", "oil:liquid", "lemon juice:liquid")
+    assert inside(told, "simmer") == {food.split(":")[0] for food in asked}
+    assert "strainer" not in {label for foods, _, _ in told for label in foods}
+    assert motions(told).index("cool down") > motions(told).index("simmer")
+
+
+def test_other_water_of_a_salad_is_in_its_dressing(steps):
+    told = steps("salad", "", "oil:liquid", "vinegar:liquid", "water:liquid", "honey:thick liquid", "lettuce:chopped")
+    assert inside(told, "mix") == {"oil", "vinegar", "water", "honey"}

@@ -249,7 +249,7 @@ def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int
     """Return a line with ``target`` at its place, that stage there, and by identity what became of others."""
     stages = line.stages
     bakes = [place for place, stage in enumerate(stages) if stage.does >= {"dry", "heat"}]
-    worked = [stage for stage in line.all_stages() if _is_at(stage, at)]
+    worked = [stage for stage in (stages if at == "tossed" else line.all_stages()) if _is_at(stage, at)]
     if worked:
         return _attached_to(line, worked, target, at)
     if bakes and at in {"before", "shaped"}:
@@ -264,14 +264,15 @@ def _is_at(stage: Stage, at: str) -> bool:
     """Whether a stage shapes, or mixes, as a component asks that joins there."""
     mixes = not stage.does.isdisjoint({"mix", "knead"})
     shapes = "shape" in stage.does and "heat" not in stage.does
-    return {"mixed": mixes, "shaped": shapes}.get(at, False)
+    return {"mixed": mixes, "tossed": mixes, "shaped": shapes}.get(at, False)
 
 
 def _attached_to(line: Line, worked: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
-    """Return a line with ``target`` after the last stage that shapes, or in the first that mixes (``worked``)."""
-    if at == "mixed":
-        whole, changed = with_line(line, worked[0], next(add for add in target.adds if isinstance(add, Line)))
-        return whole, changed[id(worked[0])], changed
+    """Return a line with ``target`` after the last stage that shapes, or in the first or last one that mixes."""
+    if at in {"mixed", "tossed"}:
+        mixing = worked[0] if at == "mixed" else worked[-1]
+        whole, changed = with_line(line, mixing, next(add for add in target.adds if isinstance(add, Line)))
+        return whole, changed[id(mixing)], changed
     became: dict[int, Stage] = {}
     return _with_next(line, worked[-1], target, became), target, became
 

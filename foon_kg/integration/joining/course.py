@@ -145,10 +145,13 @@ class Course:
         return self._water_slot(stages)
 
     def swells_there(self, join: Join) -> bool:
-        """Whether a food swells in what the dish itself is made of: nothing is poured off, and a liquid joins there."""
-        if not self.plan.one_pot or not join.want.facts.is_a(*word_list("swells")):
+        """Whether a food swells in what the dish itself is made of: nothing is poured off, and a liquid joins there.
+
+        So does what is cooked beside the dish in the liquid that is asked for it.
+        """
+        if not join.want.facts.is_a(*word_list("swells")) or not (self.plan.one_pot or join.spot.side):
             return False
-        there = {id(stage) for stage in (join.spot.stage, *join.spot.after)}
+        there = {id(stage) for stage in (join.spot.stage, *(join.spot.after if self.plan.one_pot else ()))}
         liquid = word_list("swells what is dry")
         return any(id(one.spot.stage) in there and one.want.facts.is_of(*liquid) for one in self.plan.joins)
 

@@ -416,7 +416,7 @@ class Cooking:
         finished = not any(not one.does.isdisjoint(HEATS) for one in later if one.step >= 0)
         label = self.work.outcome.label(stage, vessel, last=main and not self.stages.is_worked_later(later), main=main)
         label = label or (self.work.outcome.coated(vessel) if stage.does >= COATS else "")
-        fried = self.stages.fried(vessel) if heats and finished and not label else None
+        fried = self.stages.taken_up(stage, vessel) if heats and finished and not label else None
         label = label if fried is None else fried.label
         product = (bool(label) or (mixes and not heats)) and not self.stages.is_drained_next(vessel, later)
         states = self.work.outcome.states(stage, vessel, attested.way, product=product, finished=finished)

@@ -159,11 +159,21 @@ class Stages:
         liquids = [join for join in self.plan.joins if join.want.facts.is_a("cooking liquid")]
         return not any(join.spot.stage is stage for join in liquids)
 
-    def fried(self, vessel: Vessel) -> Stuff | None:
-        """Return the only food that is fried in a vessel: the fat and the spices that cling to it are one with it."""
-        clings = word_list("clings to what is fried")
-        foods = [stuff for stuff in vessel.contents if not self.known.foods.food(stuff.label).is_a(*clings)]
-        return foods[0] if len(foods) == 1 < len(vessel.contents) else None
+    def taken_up(self, stage: Stage, vessel: Vessel) -> Stuff | None:
+        """Return the only food that is cooked in a vessel: fat and spices that cling to it are one with it.
+
+        So is the water in which it swells, where that is not poured off.
+        """
+        contents = vessel.contents
+        foods = [stuff for stuff in contents if not self._is_a(stuff, "clings to what is fried")]
+        swollen = [stuff for stuff in foods if self._is_a(stuff, "swells")]
+        water = [stuff for stuff in foods if self._is_a(stuff, "goes into the water")]
+        if BATH not in stage.adds and len(swollen) + len(water) == len(foods):
+            foods = swollen
+        return foods[0] if len(foods) == 1 < len(contents) else None
+
+    def _is_a(self, stuff: Stuff, words_of: str) -> bool:
+        return self.known.foods.food(stuff.label).is_a(*word_list(words_of))
 
     def is_drained_next(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
         """Whether the water in which foods are cooked is poured away then: until then it is no part of anything."""

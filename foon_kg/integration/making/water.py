@@ -45,7 +45,7 @@ class Water:
             water.states = tuple(sorted({*water.states, "boiling"}))
             pot.hot = True
 
-        self.bench.emit(boils, [pot, (device, pot), *pot.contents], change, [pot, water])
+        self.bench.emit(boils, [pot, (device, pot), *pot.contents], change, [pot, *pot.contents])
 
     def boils(self, ready: Ready, vessel: Vessel) -> bool:
         """Whether a food comes into a vessel to be boiled: into water with nothing but salt in it, or asked cooked."""
