@@ -37,7 +37,6 @@ EXCEPTED = {
     "the free food: C5 of the contract": {"water"},
     "the widest kind of what is cut": {"vegetable"},
     "an example in a message": {"onion"},
-    "short for a line that joins another one": {"sub"},
 }  # fmt: skip
 """Words of foods and dishes that the code has all the same, and what they mean there."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of
@@ -33,12 +33,12 @@ class Cooling:
     ) -> None:
         """Let cool what is in ``vessel`` and what was made ``beside`` it, where nothing is heated any more."""
         comers = len(self.course.ordered(stage)) + len(beside)
-        if not self.plan.cooled or not comers or any(not one.does.isdisjoint(HEATS) for one in (stage, *later)):
+        if not self.plan.cooled or not comers or _is_any_hot((stage, *later)):
             return
         if vessel is not None and self.course.is_hot(stage):
             self._cool_all(vessel)
         for line, made in beside if vessel is not None or comers > 1 else ():
-            if any(not one.does.isdisjoint(HEATS) for one in line.all_stages()):
+            if _is_any_hot(line.all_stages()):
                 self._cool_all(made)
 
     def _cool_all(self, vessel: Vessel) -> None:
@@ -53,3 +53,7 @@ class Cooling:
         self.bench.heat_off(vessel)
         for stuff in stuffs:
             self.bench.let_cool(vessel, stuff, foods_of(vessel))
+
+
+def _is_any_hot(stages: Iterable[Stage]) -> bool:
+    return any(not stage.does.isdisjoint(HEATS) for stage in stages)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TypeVar
 
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
@@ -12,13 +11,12 @@ from foon_kg.integration.joining.course import COATS
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.outcome import MIXTURE
+from foon_kg.integration.making.turns import Comers, without
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import Stage
 
 _COATS = word_list("coats dry") | word_list("coats wet") | word_list("clings to what is coated")
-
-_Thing = TypeVar("_Thing", Join, Vessel)
 
 
 class Dipping:
@@ -31,26 +29,28 @@ class Dipping:
         self.work = work
         self.ready = ready
 
-    def is_for(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], lines: Sequence[Vessel]) -> bool:
+    def is_for(self, stage: Stage, vessel: Vessel | None, comers: Comers) -> bool:
         """Whether a stage turns what is in ``vessel``, or what joins, in a coat: there may be none for it."""
         if stage.does != COATS or stage.motion not in word_list("is turned in by"):
             return False
         if vessel is not None:
-            return bool(joins or lines)
-        return any(not self._is_coat(join.want.facts) for join in joins) or any(map(self._is_dipped, lines))
+            return bool(comers)
+        own = any(not self._is_coat(join.want.facts) for join in comers.joins)
+        return own or any(map(self._is_dipped, comers.lines))
 
-    def done(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], lines: Sequence[Vessel]) -> Vessel:
+    def done(self, stage: Stage, vessel: Vessel | None, comers: Comers) -> Vessel:
         """Dip it and return what it lies on then; raises :class:`RefusedError` where a step cannot be done."""
-        inside, dipped = ([vessel], []) if vessel is not None else self._dipped(joins, lines)
-        coat = self._coat(stage, _without(joins, dipped), _without(lines, inside))
+        inside, dipped = ([vessel], []) if vessel is not None else self._dipped(comers)
+        coat = self._coat(stage, without(comers.joins, dipped), without(comers.lines, inside))
         there = self._laid_out(stage, inside, dipped)
         if coat.contents:
             self._coated(stage, there, coat)
         return there
 
-    def _dipped(self, joins: Sequence[Join], lines: Sequence[Vessel]) -> tuple[list[Vessel], list[Join]]:
+    def _dipped(self, comers: Comers) -> tuple[list[Vessel], list[Join]]:
         """Return what of all that joins is dipped, and no coat."""
-        return list(filter(self._is_dipped, lines)), [join for join in joins if not self._is_coat(join.want.facts)]
+        foods = [join for join in comers.joins if not self._is_coat(join.want.facts)]
+        return list(filter(self._is_dipped, comers.lines)), foods
 
     def _is_coat(self, facts: Food) -> bool:
         return facts.is_a(*_COATS)
@@ -91,7 +91,7 @@ class Dipping:
         """Return a plate or board with all that is dipped: that on which it lies already, if it lies on one."""
         flat = (one for one in (*vessels, *self._boards(dipped)) if is_flat(one.label))
         plate = next(flat, None) or self.bench.vessel("plate")
-        for one in _without(vessels, [plate]):
+        for one in without(vessels, [plate]):
             self.carry.transfer(one, plate, stage)
         for join in dipped:
             self.carry.bring(self.ready[join.want.number], plate, join.slot)
@@ -117,7 +117,3 @@ class Dipping:
 
         things: list[Thing] = [there, *there.contents, coat, *coat.contents]
         self.bench.emit(attested, things, change, things)
-
-
-def _without(things: Sequence[_Thing], others: Sequence[_Thing]) -> list[_Thing]:
-    return [thing for thing in things if thing not in others]

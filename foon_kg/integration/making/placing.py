@@ -7,13 +7,15 @@ from collections.abc import Mapping, Sequence
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, Vessel, is_flat
+from foon_kg.integration.bench import Bench, Stuff, Vessel, is_flat, is_heated
 from foon_kg.integration.joining.batters import binds
+from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.bakeware import Bakeware
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.consistency import is_wet
 from foon_kg.integration.making.stages import Stages
+from foon_kg.integration.making.turns import Comers, Turn, lines_at
 from foon_kg.integration.making.utensils import Utensils
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
@@ -35,7 +37,36 @@ class Placing:
         self.utensils = Utensils(bench)
         self.bakeware = Bakeware(self.known, self.plan.tin)
 
-    def put_on(self, vessel: Vessel, device: str, stage: Stage) -> None:
+    # --- the vessel of a stage ---
+
+    def placed(self, turn: Turn, vessel: Vessel | None, comers: Comers, *, dressed: bool) -> Vessel:
+        """Return the vessel of a stage with what was in ``vessel``, where it stands when something joins.
+
+        ``dressed``: what joins is mixed with a dish that is done. What comes into the fresh vessel before all else is
+        taken out of ``comers``.
+        """
+        stage = turn.stage
+        device, relation = self.utensils.device_for(stage)
+        label = self._label_for(stage, vessel, comers, dressed=dressed)
+        placed = self._vessel_for(stage, label, vessel, comers)
+        heats = self._is_heated(stage)
+        stays = heats and placed.device is not None and placed.device.label == device
+        if not stays and not self.stages.heats_on(stage, turn.later, placed):
+            self.bench.heat_off(placed)
+        if heats and relation == "on":
+            self._put_on(placed, device, stage)
+        return placed
+
+    def is_on_stove(self, stage: Stage, vessel: Vessel) -> bool:
+        """Whether a vessel stands over the heat when something joins a stage."""
+        return vessel.device is not None and self._is_heated(stage) and self.utensils.device_for(stage)[1] == "on"
+
+    def _is_heated(self, stage: Stage) -> bool:
+        """Whether an appliance heats what a stage is done in."""
+        heat = stage.source == "heat" or not stage.does.isdisjoint(HEATS)
+        return heat and bool(self.utensils.device_for(stage)[0])
+
+    def _put_on(self, vessel: Vessel, device: str, stage: Stage) -> None:
         """Put a vessel on an appliance, unless it is there; an empty one is filled at the tap before."""
         if vessel.device is not None and vessel.device.label == device:
             return
@@ -44,68 +75,85 @@ class Placing:
                 self.carry.water.add(vessel)
             asked = [join for join in self.course.ordered(stage) if join.want.facts.is_a("water") and not join.on_top]
             for join in asked[:1]:
-                self.carry.bring(self.ready[join.want.number], vessel, join.slot)
+                self._bring(join, vessel)
         self.bench.place(vessel, device, "on")
 
-    def label_for(
-        self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], joins: Sequence[Join], *, dressed: bool
-    ) -> str:
+    def _label_for(self, stage: Stage, vessel: Vessel | None, comers: Comers, *, dressed: bool) -> str:
         """Return what a stage is done in: in the frame's vessel, where that suits what comes into it."""
         device, relation = self.utensils.device_for(stage)
         label = self.utensils.vessel_label(stage, vessel, device)
-        comes = vessel if vessel is not None else next(iter(lines), None)
+        comes = vessel if vessel is not None else next(iter(comers.lines), None)
         if comes is None:
-            label = self.bakeware.deep_for(label, [join.want for join in joins])
+            label = self.bakeware.deep_for(label, [join.want for join in comers.joins])
         elif label != comes.label:
             label = self.bakeware.tin_for(label, comes, in_oven=relation == "in")
-        deep = vessel is not None and vessel.hot and not is_flat(vessel.label)  # on a tray nothing runs
-        runs = vessel is not None and deep and any(is_wet(stuff, self.known) for stuff in vessel.contents)
-        runs = runs and not self.stages.on_plate
-        return "bowl" if (dressed or runs) and is_flat(label) and not self.stages.lies_baked(vessel) else label
+        if not is_flat(label) or self.stages.lies_baked(vessel):
+            return label
+        return "bowl" if dressed or self._runs_off(vessel) else label
 
-    def vessel_for(
-        self, stage: Stage, label: str, vessel: Vessel | None, lines: list[Vessel], joins: Sequence[Join]
-    ) -> Vessel:
+    def _runs_off(self, vessel: Vessel | None) -> bool:
+        """Whether what is in a vessel would run off a plate: it is hot, and was in no tray."""
+        if vessel is None or not vessel.hot or is_flat(vessel.label) or self.stages.on_plate:
+            return False
+        return self._is_wet(vessel)
+
+    def _vessel_for(self, stage: Stage, label: str, vessel: Vessel | None, comers: Comers) -> Vessel:
         """Return the vessel of a stage, called ``label``, with what was in ``vessel``.
 
-        Where nothing was yet, that of ``lines`` or ``joins`` serves. What greases it is brought first, and taken out of
-        ``joins``.
+        Where nothing was yet, that of what joins serves.
         """
         if vessel is None:
-            return self._first_vessel(stage, label, lines, joins)
+            return self._first_vessel(stage, label, comers)
         if vessel.label == label:
             return vessel
         self.bench.heat_off(vessel)
         fresh = self.bench.vessel(label)
-        row = self.known.utensil(label)
-        bakes = row is not None and not row.can.isdisjoint({"bake", "heat", "cook"})
-        under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
-        grease = [join for join in joins if bakes and (join.layer < 0 or join.want.facts.is_a(*under))]
         device, relation = self.utensils.device_for(stage)
         self._stand(fresh, stage, device if relation == "on" else "")
-        if not grease:
+        under = self._lay_under(stage, fresh, comers)
+        if not under:
             self.grease(fresh, vessel)
-        for join in grease:
-            self.carry.bring(self.ready[join.want.number], fresh, join.slot)
-            self.course.at[id(stage)].remove(join)
-            joins.remove(join)  # type: ignore[attr-defined]
-        hot_first = bool(grease) or not any(is_wet(stuff, self.known) for stuff in vessel.contents)
+        hot_first = under or not self._is_wet(vessel)
         if relation == "on" and hot_first and "heat" in stage.does:
             self.heat_on(fresh)
             self.work.heat_fat(fresh)
         self.carry.transfer(vessel, fresh, stage, whole=self.stages.lies_baked(vessel) or stage.does == {"cut"})
         return fresh
 
-    def _first_vessel(self, stage: Stage, label: str, lines: list[Vessel], joins: Sequence[Join]) -> Vessel:
+    def _lay_under(self, stage: Stage, fresh: Vessel, comers: Comers) -> bool:
+        """Bring into a fresh vessel what comes there before what is cooked in it; return whether anything does."""
+        under = comers.take(self._lies_under) if self._bakes(fresh.label) else []
+        for join in under:
+            self._bring(join, fresh)
+            self.course.at[id(stage)].remove(join)
+        return bool(under)
+
+    def _is_wet(self, vessel: Vessel) -> bool:
+        return any(is_wet(stuff, self.known) for stuff in vessel.contents)
+
+    def _bakes(self, label: str) -> bool:
+        row = self.known.utensil(label)
+        return row is not None and not row.can.isdisjoint({"bake", "heat", "cook"})
+
+    def _lies_under(self, join: Join) -> bool:
+        """Whether a food comes into a vessel before what is cooked in it: fat, and what lies under dough."""
+        under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
+        return join.layer < 0 or join.want.facts.is_a(*under)
+
+    def _first_vessel(self, stage: Stage, label: str, comers: Comers) -> Vessel:
         """Return a vessel for what begins: that of a line or of a food that is in such a one, else a fresh one."""
         device, _ = self.utensils.device_for(stage)
-        if lines and lines[0].label == label and (lines[0].device is None or lines[0].device.label == device):
-            return lines.pop(0)
-        for join in joins:
+        first = next(iter(comers.lines), None)
+        if first is not None and first.label == label and (first.device is None or first.device.label == device):
+            return comers.lines.pop(0)
+        for join in comers.joins:
             own = self.ready[join.want.number].stuff.at
             if own is not None and own.label == label and not own.storage and len(own.contents) == 1:
                 return own  # it was cooked in such a pan before, and the rest comes to it
         return self.bench.vessel(label)
+
+    def _bring(self, join: Join, vessel: Vessel) -> None:
+        self.carry.bring(self.ready[join.want.number], vessel, join.slot)
 
     def _stand(self, fresh: Vessel, stage: Stage, device: str) -> None:
         """Put a vessel on an appliance, if any, with the water in which something is boiled at once."""
@@ -121,33 +169,31 @@ class Placing:
         row = self.known.utensil(fresh.label)
         if row is None or "bake" not in row.can or row.can & {"heat"}:
             return
-        soft = any(
-            stuff.mixed
-            and not any(self.known.state(state).needs_heat for state in stuff.states)
-            and (binds(stuff.foods, self.known) or any(self.known.foods.food(f).is_a("egg") for f in stuff.foods))
-            for stuff in vessel.contents
-        )
         fat = next((j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")), None)
-        if not soft or fat is None:
-            return
-        self.carry.grease(fat, fresh)
+        if fat is not None and any(map(self._is_batter, vessel.contents)):
+            self.carry.grease(fat, fresh)
 
-    def comers(
-        self, stage: Stage, joins: Sequence[Join], lines: Sequence[Vessel], *, heats: bool
-    ) -> list[Join | Vessel]:
+    def _is_batter(self, stuff: Stuff) -> bool:
+        """Whether a mixture is raw and sets when it is baked."""
+        if not stuff.mixed or is_heated(stuff.states, self.known):
+            return False
+        return binds(stuff.foods, self.known) or any(self.known.foods.food(food).is_a("egg") for food in stuff.foods)
+
+    # --- what comes into it ---
+
+    def ordered(self, stage: Stage, comers: Comers) -> list[Join | Vessel]:
         """Return what joins a stage in its order: foods, and vessels in which other lines were made."""
-        stuffs: list[Join | Vessel] = []
-        waiting = list(lines)
-        by_line = [add for add in stage.adds if isinstance(add, Line)]
-        first_line = min((stage.adds.index(add) for add in by_line), default=len(stage.adds))
-        for join in joins:
-            before = join.slot is not None and join.slot in stage.adds and stage.adds.index(join.slot) < first_line
-            before = before or join.layer < 0
-            if waiting and not before and not (heats and join.want.facts.is_a("fat")):
-                stuffs += waiting
+        found: list[Join | Vessel] = []
+        waiting = list(comers.lines)
+        heats = self._is_heated(stage)
+        for join in comers.joins:
+            if not _comes_before_lines(join, stage) and not (heats and join.want.facts.is_a("fat")):
+                found += waiting
                 waiting = []
-            stuffs.append(join)
-        return [*stuffs, *waiting]
+            found.append(join)
+        return [*found, *waiting]
+
+    # --- heat ---
 
     def heat_on(self, vessel: Vessel) -> None:
         """Turn on the appliance on which a vessel stands, if any."""
@@ -165,6 +211,14 @@ class Placing:
                 self.bench.cover(vessel, lid)
         self.bench.place(vessel, device, relation)
 
+    def oven_of(self, line: Line) -> str:
+        """Return the first appliance in which a stage of a line is heated, ``""`` where none is."""
+        for stage in line.stages:
+            device, relation = self.utensils.device_for(stage)
+            if relation == "in" and "heat" in stage.does:
+                return device
+        return ""
+
     def is_lit_first(self, oven: str, stages: Sequence[Stage]) -> bool:
         """Return whether an ``oven`` that is off is lit first of all: nothing waits before a dish comes into it."""
         row = self.known.utensil(oven)
@@ -174,3 +228,11 @@ class Placing:
             return False
         before = list(itertools.takewhile(lambda stage: self.utensils.device_for(stage)[0] != oven, stages))
         return not any("wait" in stage.does for stage in before[:-1])
+
+
+def _comes_before_lines(join: Join, stage: Stage) -> bool:
+    """Whether a food comes to a stage before what other lines made: its slot does so, or all else lies on it."""
+    lines = lines_at(stage)
+    first = stage.adds.index(lines[0]) if lines else len(stage.adds)
+    slot = join.slot
+    return join.layer < 0 or (slot is not None and slot in stage.adds and stage.adds.index(slot) < first)

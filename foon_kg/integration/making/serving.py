@@ -11,7 +11,9 @@ from foon_kg.integration.joining.course import WORKS, Plan
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.consistency import is_wet
+from foon_kg.integration.making.outcome import MIXTURE
 from foon_kg.integration.making.stages import Stages
+from foon_kg.integration.making.turns import Comers, without
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import Stage
@@ -22,7 +24,6 @@ _SEASONS = word_list("seasons pieces")
 _LAYERS = word_list("is a layer")
 _CLOSES = word_list("closes what is stacked")
 _SMEARED = word_list("is smeared on it")
-_MIXED = "mixture"
 _SHAPED = "shaped"
 _SMALL = 3
 """How fine pieces are that are bound by something creamy (chopped, flaked)."""
@@ -44,43 +45,52 @@ class Serving:
         works = any(not one.does.isdisjoint(WORKS) for one in (stage, *later))
         return not works and any(join.slot is None or join.want.facts.is_a(*_SLICES) for join in joins)
 
-    def stack(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], lines: Sequence[Vessel]) -> Vessel:
+    def stack(self, stage: Stage, vessel: Vessel | None, comers: Comers) -> Vessel:
         """Put a dish together on a plate and return what it is on.
 
         Bread comes first and what is spread on it, then what was made and the rest, and bread again; a spread with
         pieces is mixed before. What is fried as a whole gets its fat in the pan.
         """
-        plate = self.bench.vessel("plate") if vessel is None or not is_flat(vessel.label) else vessel
-        slices = [join for join in joins if join.want.facts.is_a(*_SLICES)]
-        fats = [join for join in joins if self.plan.grilled and join.want.facts.is_a("fat")]
-        rest = [join for join in joins if join not in slices and join not in fats]
+        plate = self._plate(vessel)
+        slices = comers.take(self._is_slice)
+        fats = comers.take(self._is_fat) if self.plan.grilled else []
         bowl = self.bench.vessel("bowl")
-        mixed = self._mix_what_binds(rest, bowl)
-        below = [one for one in (*lines, None if plate is vessel else vessel) if one is not None]
-        mixed += self._stirred_in(below, [join for join in rest if join not in mixed])
+        made = comers.lines if vessel is None or vessel is plate else [*comers.lines, vessel]
+        self._mix_what_binds(comers, bowl)
+        self._stir_into(made, comers)
         closing = [join for join in slices if self._lay_below(join, plate)]
-        smeared = [join for join in rest if join not in mixed and self._is_smeared(join)]
-        for join in smeared:
+        for join in comers.take(self._is_smeared):
             self._smear(join, plate)
-        for one in (*below, bowl):
-            if one.contents:
-                self.bench.heat_off(one)
-                self.carry.transfer(one, plate, stage)
-        self._lay_on(plate, [join for join in rest if join not in mixed and join not in smeared])
+        for one in filter(_is_full, (*made, bowl)):
+            self.bench.heat_off(one)
+            self.carry.transfer(one, plate, stage)
+        self._lay_on(plate, comers.joins)
         for join in closing:
             self._bring(join, plate)
         self.work.name(plate, self.plan.label)
         self._close(plate)
         return self._heat_through(plate, fats, stage) if self.plan.grilled else plate
 
-    def _mix_what_binds(self, joins: Sequence[Join], bowl: Vessel) -> list[Join]:
-        """Mix pieces with the spread that binds them in a bowl; return what is mixed there."""
-        mixed = self._bound(joins)
+    def _plate(self, vessel: Vessel | None) -> Vessel:
+        """Return on what a dish is put together: where it lies, if that is flat."""
+        return vessel if vessel is not None and is_flat(vessel.label) else self.bench.vessel("plate")
+
+    @staticmethod
+    def _is_slice(join: Join) -> bool:
+        return join.want.facts.is_a(*_SLICES)
+
+    @staticmethod
+    def _is_fat(join: Join) -> bool:
+        return join.want.facts.is_a("fat")
+
+    def _mix_what_binds(self, comers: Comers, bowl: Vessel) -> None:
+        """Mix pieces with the spread that binds them in a bowl; they are taken out of ``comers``."""
+        mixed = self._bound(comers.joins)
+        comers.joins = without(comers.joins, mixed)
         for join in mixed:
             self._bring(join, bowl)
         if len(mixed) > 1:
-            self.work.stir(bowl, _MIXED)
-        return mixed
+            self.work.stir(bowl, MIXTURE)
 
     def _lay_on(self, plate: Vessel, joins: Sequence[Join]) -> None:
         """Lay foods on what is on a plate, first what melts on it; fat that came along in what was made is there."""
@@ -153,34 +163,45 @@ class Serving:
 
     def _bound(self, joins: Sequence[Join]) -> list[Join]:
         """Return what is mixed to be spread: small pieces with something creamy, and what seasons them."""
-        small = [join for join in joins if self._is_small(join)]
         creamy = [join for join in joins if join.want.facts.is_a(*_CREAMY)]
-        seasons = [join for join in joins if join.want.facts.is_a(*_SEASONS) and join not in creamy]
-        pieces = [j for j in small if j not in seasons and j not in creamy and not j.want.facts.is_a(*_LAYERS)]
-        return [*pieces, *creamy, *(join for join in seasons if join not in pieces)] if pieces and creamy else []
+        seasons = [join for join in without(joins, creamy) if join.want.facts.is_a(*_SEASONS)]
+        pieces = [join for join in without(joins, [*creamy, *seasons]) if self._is_in_small_pieces(join)]
+        return [*pieces, *creamy, *seasons] if pieces and creamy else []
 
-    def _stirred_in(self, made: Sequence[Vessel], joins: Sequence[Join]) -> list[Join]:
-        """Stir small pieces into the creamy mixture that a video makes, and return what was stirred in."""
-        bowls = [
-            one for one in made if not one.hot and any(self.known.foods.food(f).is_a(*_CREAMY) for f in foods_of(one))
-        ]
-        small = [join for join in joins if self._is_small(join) and not join.want.facts.is_a(*_LAYERS)]
-        seasons = [join for join in joins if join.want.facts.is_a(*_SEASONS) and not self._is_smeared(join)]
-        found = [*small, *(join for join in seasons if join not in small)] if bowls else []
-        for join in found:
-            self._bring(join, bowls[0])
-        if found:
-            self.work.stir(bowls[0], _MIXED)
-        return found
+    def _is_in_small_pieces(self, join: Join) -> bool:
+        """Whether a food is in small pieces, and is no layer of its own."""
+        return self._is_small(join) and not join.want.facts.is_a(*_LAYERS)
+
+    def _stir_into(self, made: Sequence[Vessel], comers: Comers) -> None:
+        """Stir small pieces into the creamy mixture that a video makes; they are taken out of ``comers``."""
+        bowl = next(filter(self._is_creamy, made), None)
+        if bowl is None:
+            return
+        stirred = [*comers.take(self._is_in_small_pieces), *comers.take(self._only_seasons)]
+        for join in stirred:
+            self._bring(join, bowl)
+        if stirred:
+            self.work.stir(bowl, MIXTURE)
+
+    def _is_creamy(self, vessel: Vessel) -> bool:
+        """Whether something creamy is in what is in a vessel, and it is not hot."""
+        return not vessel.hot and any(self.known.foods.food(food).is_a(*_CREAMY) for food in foods_of(vessel))
+
+    def _only_seasons(self, join: Join) -> bool:
+        """Whether a food seasons pieces, and is not spread by itself."""
+        return join.want.facts.is_a(*_SEASONS) and not self._is_smeared(join)
 
     def _is_small(self, join: Join) -> bool:
         states = self.ready[join.want.number].stuff.states
         fine = any((self.known.state(state).fine or 0) >= _SMALL for state in states)
         return fine or join.want.facts.is_a(*word_list("falls apart"))
 
-    def dress(self, vessel: Vessel) -> None:
-        """Mix what came to a dish that was done."""
+    def dress(self, vessel: Vessel, tops: Sequence[Join]) -> None:
+        """Mix what came to a dish that was done, and lay on it what only lies there."""
         self.work.stir(vessel, self.plan.label)
+        for join in tops:
+            self.carry.bring(self.ready[join.want.number], vessel, join.slot)
+            self.work.name(vessel, self.plan.label)
 
     def _bring(self, join: Join, vessel: Vessel) -> None:
         self.carry.bring(self.ready[join.want.number], vessel, None)
@@ -240,6 +261,10 @@ class Serving:
             self.work.name(vessel, self.plan.label)
         if group in word_list("is served in what it is baked in") and stages.has_no_portions():
             return vessel
+        return self._on_a_dish(vessel, stage, stages)
+
+    def _on_a_dish(self, vessel: Vessel, stage: Stage, stages: Stages) -> Vessel:
+        """Bring what is in a vessel to what suits it, where the FOON shows how; return in what it is then."""
         try:
             return self._brought(vessel, self._dish_for(vessel, stages), stage)
         except RefusedError:  # nobody of this FOON serves such a dish
@@ -261,3 +286,7 @@ class Serving:
     def _is_cooked_in(self, vessel: Vessel) -> bool:
         row = self.known.utensil(vessel.label)
         return row is not None and not row.can.isdisjoint({"heat", "cook", "bake"})
+
+
+def _is_full(vessel: Vessel) -> bool:
+    return bool(vessel.contents)

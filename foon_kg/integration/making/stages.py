@@ -15,7 +15,8 @@ from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.course import HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.spots import Join, only_carries
-from foon_kg.integration.teaching.frames import BATH, Line, Phase, Stage
+from foon_kg.integration.making.turns import Turn, lines_at
+from foon_kg.integration.teaching.frames import BATH, Line, Phase, Slot, Stage
 from foon_kg.integration.teaching.operators import form_of
 
 _GRATED = 4
@@ -44,16 +45,9 @@ class Stages:
         So is what is cooked to be laid on the rest, where that comes out of a hot pan of its own, and is lifted out,
         and whatever comes on what was baked at last.
         """
-        found = {id(add) for stage in _after_the_oven(line.stages) for add in _lines_at(stage)}
-        lifted = False
-        for stage in line.stages:
-            adds = _lines_at(stage)
-            found |= {id(add) for add in adds if self._waits(stage, add)}
-            hot = {id(add) for add in adds if _is_over_heat(add)}
-            if lifted and not stage.motion:
-                found |= hot
-            lifted = lifted or bool(hot)
-        return frozenset(found)
+        late = [add for stage in _after_the_oven(line.stages) for add in lines_at(stage)]
+        late += [add for stage in line.stages for add in lines_at(stage) if self._waits(stage, add)]
+        return frozenset(map(id, [*late, *_out_of_hot_pans(line.stages)]))
 
     def _waits(self, stage: Stage, line: Line) -> bool:
         return (self.waits_for_sauce(stage) and self.is_drained(line)) or self._falls(line)
@@ -125,10 +119,11 @@ class Stages:
         solid = any(not want.facts.is_a(*word_list("only flavours")) for want in wants)
         return solid and not wet and not any(isinstance(one, Vessel) for one in stuffs)
 
-    def merges(self, stage: Stage, later: Sequence[Stage], *, main: bool) -> bool:
+    def merges(self, turn: Turn) -> bool:
         """Whether nothing mixes the whole any more, so that what joins last completes it."""
-        works = [stage, *later]
-        return main and not self.is_worked_later(works) and not any(self.course.stage_alive(one) for one in later)
+        if not turn.main or self.is_worked_later([turn.stage, *turn.later]):
+            return False
+        return not any(self.course.stage_alive(one) for one in turn.later)
 
     def is_worked_later(self, later: Sequence[Stage]) -> bool:
         """Whether any of the stages that come ``later`` mixes or heats the whole."""
@@ -140,24 +135,39 @@ class Stages:
 
     def water(self, stage: Stage) -> bool:
         """Whether free water joins here: the frame has it, nobody asked for it, and no other liquid takes its place."""
-        taken = [join.slot for join in self.plan.joins if join.slot is not None]
-        free = [slot for slot in stage.slots if not any(slot is one for one in taken)]
-        if not any(slot.food == "water" for slot in free) or stage.does.isdisjoint(WORKS):
+        free = self._free_water(stage)
+        if not free or stage.does.isdisjoint(WORKS):
             return False
-        bath = any(slot == BATH for slot in free)
-        if not bath and any(join.want.facts.is_a("water") for join in self.plan.joins):
+        if BATH not in free and self._is_asked("water"):
             return False
-        if isinstance(stage, Phase):
-            return True
-        alike = any(join.slot is not None for join in self.plan.joins if join.spot.stage is stage)
-        bought = "knead" in stage.does and any(join.want.facts.is_a("dough") for join in self.plan.joins)
-        if bought or not (stage.appliance or alike):
-            return False  # bought dough has its water, and nothing comes of what the video thins with it
-        apart = any(join.want.facts.is_a(*word_list("is boiled by itself")) for join in self.plan.joins)
-        if apart and not self.plan.one_pot and "liquid" not in stage.does:
+        return isinstance(stage, Phase) or self._is_wetted(stage)
+
+    def _is_wetted(self, stage: Stage) -> bool:
+        """Whether what joins a stage needs the water that the video takes there."""
+        joins = self._joins_of(stage)
+        if not stage.appliance and all(join.slot is None for join in joins):
+            return False  # nothing comes of what the video thins with it
+        if "knead" in stage.does and self._is_asked("dough"):
+            return False  # bought dough has its water
+        if "liquid" not in stage.does and self._is_boiled_apart():
             return False  # that was the water to boil it in
-        liquids = [join for join in self.plan.joins if join.want.facts.is_a("cooking liquid")]
-        return not any(join.spot.stage is stage for join in liquids)
+        return not any(join.want.facts.is_a("cooking liquid") for join in joins)
+
+    def _free_water(self, stage: Stage) -> list[Slot]:
+        """Return the slots of a stage for water that no asked food takes."""
+        taken = {id(join.slot) for join in self.plan.joins}
+        return [slot for slot in stage.slots if slot.food == "water" and id(slot) not in taken]
+
+    def _joins_of(self, stage: Stage) -> list[Join]:
+        """Return the asked foods of which a stage was the place, wherever they join now."""
+        return [join for join in self.plan.joins if join.spot.stage is stage]
+
+    def _is_boiled_apart(self) -> bool:
+        return not self.plan.one_pot and self._is_asked(*word_list("is boiled by itself"))
+
+    def _is_asked(self, *kinds: str) -> bool:
+        """Whether a food of one of some kinds is asked."""
+        return any(join.want.facts.is_a(*kinds) for join in self.plan.joins)
 
     def taken_up(self, stage: Stage, vessel: Vessel) -> Stuff | None:
         """Return the only food that is cooked in a vessel: fat and spices that cling to it are one with it.
@@ -183,21 +193,27 @@ class Stages:
 
     def is_idle(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
         """Whether a stage would change nothing: it is done again anyway, or there is only one food to be mixed."""
-        mixes = not stage.does.isdisjoint(MIXES)
+        if self._is_done_again(stage, vessel, later):
+            return True
         heats = not stage.does.isdisjoint(HEATS)
-        following = self._next(later, vessel)
-        if following is not None and self._goes_on(stage, following):
-            return True
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
-        hot = any(not one.does.isdisjoint(HEATS) for one in later)  # else this makes it hot, or nothing does
-        if hot and heats and all(self._is_only_made_hot(food) for food in foods) and not self._is_awaited(later[0]):
+        if heats and self._gets_hot_later(foods, later):
             return True
-        flat = stage.motion in word_list("rises") and not any(f.is_a(*word_list("makes dough rise")) for f in foods)
-        if flat or (not heats and self._is_done_on_a_plate(stage, vessel)):
+        if _rises_by_nothing(stage, foods) or (not heats and self._is_done_on_a_plate(stage, vessel)):
             return True
-        if mixes:
+        if not stage.does.isdisjoint(MIXES):
             return self._is_mixed_needlessly(stage, vessel, heats=heats)
         return not heats and self._works_one_food_needlessly(stage, vessel, foods)
+
+    def _is_done_again(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
+        following = self._next(later, vessel)
+        return following is not None and self._goes_on(stage, following)
+
+    def _gets_hot_later(self, foods: Sequence[Food], later: Sequence[Stage]) -> bool:
+        """Whether foods that are only made hot are so by a later stage, and what comes next need not find them hot."""
+        if not any(not one.does.isdisjoint(HEATS) for one in later):
+            return False  # this makes them hot, or nothing does
+        return all(self._is_only_made_hot(food) for food in foods) and not self._is_awaited(later[0])
 
     def _is_done_on_a_plate(self, stage: Stage, vessel: Vessel) -> bool:
         """Whether nobody turns food over where it lies, or cuts what is in pieces."""
@@ -301,5 +317,18 @@ def _after_the_oven(stages: Sequence[Stage]) -> Sequence[Stage]:
     return stages[hot[-1] + 1 :] if hot and "dry" in stages[hot[-1]].does else ()
 
 
-def _lines_at(stage: Stage) -> list[Line]:
-    return [add for add in stage.adds if isinstance(add, Line)]
+def _out_of_hot_pans(stages: Sequence[Stage]) -> list[Line]:
+    """Return the lines that are laid, each out of a hot pan of its own, on what came out of one before."""
+    found: list[Line] = []
+    lifted = False
+    for stage in stages:
+        hot = list(filter(_is_over_heat, lines_at(stage)))
+        if lifted and not stage.motion:
+            found += hot
+        lifted = lifted or bool(hot)
+    return found
+
+
+def _rises_by_nothing(stage: Stage, foods: Sequence[Food]) -> bool:
+    """Whether a stage lets rise what has nothing in it that makes it rise."""
+    return stage.motion in word_list("rises") and not any(f.is_a(*word_list("makes dough rise")) for f in foods)

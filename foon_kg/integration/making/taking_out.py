@@ -23,19 +23,23 @@ class TakingOut:
         self.known: Tables = bench.known
         self.plan = plan
 
-    def is_taken_out(self, want: Want) -> bool:
+    def _is_taken_out(self, want: Want) -> bool:
         """Whether a food only gives its taste, and nobody eats or drinks it."""
         if want.facts.is_a(*word_list("is taken out of the dish")):
             return True
         powder = bool(want.make) and fineness([want.make], self.known) >= POWDER  # nothing of it stays in a strainer
         return self.plan.drunk and not powder and want.facts.is_a(*word_list("is taken out of what is drunk"))
 
+    def is_due(self, vessel: Vessel) -> bool:
+        """Whether something in a vessel only gives its taste."""
+        return bool(self._inside(vessel, self._is_taken_out))
+
     def take_out(self, vessel: Vessel) -> Vessel:
         """Take out of what was cooked in a liquid what only gave it its taste, where the FOON shows how.
 
         Return what the rest is in then: what is drunk is poured through a strainer.
         """
-        wants = self._inside(vessel, self.is_taken_out)
+        wants = self._inside(vessel, self._is_taken_out)
         loose = any(not want.facts.is_a(*word_list("is taken out of the dish")) for want in wants)
         if self.plan.drunk and loose and len(vessel.contents) == 1:  # a bag or a stick is lifted out
             return self._strain(vessel, wants)

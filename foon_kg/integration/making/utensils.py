@@ -39,44 +39,58 @@ class Utensils:
 
     def _appliance_of(self, stage: Stage) -> Utensil | None:
         """Return the appliance of the video where it suits, else the usual one; of one kind that is in use already."""
-        row = self.known.utensil(stage.appliance) if stage.appliance else None
-        if not stage.does.isdisjoint(HEATS) and (row is None or row.source != "heat"):
-            row = self.known.utensil("oven" if "dry" in stage.does else "stove")
+        row = self._shown(stage)
         if row is None or row.role != "appliance":
             return None
         if row.source == "heat" and row.holds == "on" and stage.vessel == stage.appliance:
             return self.known.utensil("stove") or row  # food lies on it in the video; in a pan it comes on a stove
-        if row.source == "power":
-            used = (self.known.utensil(label) for label in self.bench.devices)
-            return next((other for other in used if other is not None and other.group == row.group), row)
+        return self._used_like(row) or row if row.source == "power" else row
+
+    def _shown(self, stage: Stage) -> Utensil | None:
+        """Return the appliance of the video, or what usually heats, where a stage heats and that does not."""
+        row = self.known.utensil(stage.appliance) if stage.appliance else None
+        if not stage.does.isdisjoint(HEATS) and (row is None or row.source != "heat"):
+            return self.known.utensil("oven" if "dry" in stage.does else "stove")
         return row
+
+    def _used_like(self, row: Utensil) -> Utensil | None:
+        """Return an appliance of the same kind that is in use already."""
+        used = map(self.known.utensil, self.bench.devices)
+        return next((other for other in used if other is not None and other.group == row.group), None)
 
     def vessel_label(self, stage: Stage, vessel: Vessel | None, device: str) -> str:
         """Return which vessel a stage takes; ``vessel`` is the one in which the whole is as yet."""
-        row = self.known.utensil(stage.vessel) if stage.vessel else None
-        fits = row is not None and row.role in {"vessel", "wrap"}
-        if device and fits and row is not None:
-            appliance = self.known.utensil(device)
-            if appliance is not None and appliance.source == "heat":
-                fits = self._can_stand(stage.vessel, device, stage)
-        if fits:
+        heater = self._heater(device)
+        if self._is_vessel(stage.vessel) and self._can_stand(stage.vessel, heater, stage):
             return stage.vessel
-        if device:
-            appliance = self.known.utensil(device)
-            if appliance is not None and appliance.source == "heat":
-                if vessel is not None and self._can_stand(vessel.label, device, stage):
-                    return vessel.label
-                if appliance.holds == "in":
-                    return "baking tray"
-                return "pot" if "liquid" in stage.does else "cooking pan"
-        if vessel is None:
-            return "cutting board" if stage.relation == "on" and stage.does & {"knead", "shape"} else "bowl"
-        return vessel.label
+        if vessel is not None and self._can_stand(vessel.label, heater, stage):
+            return vessel.label
+        if heater is not None:
+            return _over_heat(stage, heater)
+        return "cutting board" if stage.relation == "on" and stage.does & {"knead", "shape"} else "bowl"
 
-    def _can_stand(self, label: str, device: str, stage: Stage) -> bool:
-        """Whether a vessel can be where a stage heats it: what a microwave can warm does not bear an oven."""
-        row, appliance = self.known.utensil(label), self.known.utensil(device)
-        if row is None or appliance is None:
+    def _heater(self, device: str) -> Utensil | None:
+        """Return an appliance if it gives heat."""
+        row = self.known.utensil(device) if device else None
+        return row if row is not None and row.source == "heat" else None
+
+    def _is_vessel(self, label: str) -> bool:
+        row = self.known.utensil(label) if label else None
+        return row is not None and row.role in {"vessel", "wrap"}
+
+    def _can_stand(self, label: str, heater: Utensil | None, stage: Stage) -> bool:
+        """Whether a vessel can be where a stage heats it, if it does: what a microwave can warm bears no oven."""
+        if heater is None:
+            return True
+        row = self.known.utensil(label)
+        if row is None:
             return False
         inside = {"bake"} if "dry" in stage.does else {"bake", "microwave"}
-        return bool(row.can & {"in": inside, "on": {"heat", "cook"}}.get(appliance.holds, set()))
+        return bool(row.can & {"in": inside, "on": {"heat", "cook"}}.get(heater.holds, set()))
+
+
+def _over_heat(stage: Stage, heater: Utensil) -> str:
+    """Return in what is heated what comes from elsewhere."""
+    if heater.holds == "in":
+        return "baking tray"
+    return "pot" if "liquid" in stage.does else "cooking pan"

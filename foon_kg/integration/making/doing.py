@@ -1,0 +1,137 @@
+"""What a stage does to what is in its vessel, once all that joins it is there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from foon_kg.integration.bench import Stuff, Vessel
+from foon_kg.integration.joining.course import COATS, MIXES, WORKS
+from foon_kg.integration.making.outcome import MIXTURE, says_raw
+from foon_kg.integration.making.placing import Placing
+from foon_kg.integration.making.turns import Turn
+from foon_kg.integration.teaching.frames import Asked
+from foon_kg.integration.teaching.operators import Attested, Way
+
+
+@dataclass(frozen=True)
+class _Product:
+    """What comes of work: one thing called ``label`` (``""``: each food stays what it is) in these ``states``."""
+
+    label: str
+    states: tuple[str, ...]
+
+
+class Doing:
+    """Does the work of the stages of one dish on a bench, in the vessels that were placed for them."""
+
+    def __init__(self, placing: Placing) -> None:
+        self.bench = placing.bench
+        self.known = placing.known
+        self.plan = placing.plan
+        self.placing = placing
+        self.stages = placing.stages
+        self.work = placing.work
+
+    def do(self, turn: Turn, vessel: Vessel) -> None:
+        """Do what a stage does, if it changes anything."""
+        stage = turn.stage
+        if self._is_idle(turn, vessel):
+            return
+        device, relation = self.placing.utensils.device_for(stage)
+        if device and not relation:
+            self._by_hand_device(turn, vessel, device)
+            return
+        if device:
+            self._put_to(device, relation, turn, vessel)
+        if "turn" in stage.does:
+            self.work.cook_first_side(vessel)
+        attested = self.work.ways.way(stage, vessel)
+        if attested is None:
+            return
+        self._work(turn, vessel, attested, with_device=bool(device))
+        if vessel.relation != "on" and not self.stages.stays_in(vessel, turn.later):
+            self.bench.heat_off(vessel)
+
+    def _is_idle(self, turn: Turn, vessel: Vessel) -> bool:
+        """Whether a stage would change nothing; what a title asks for is done in any case."""
+        stage = turn.stage
+        if not stage.motion or stage.does.isdisjoint(WORKS):
+            return True
+        return not isinstance(stage, Asked) and self.stages.is_idle(stage, vessel, turn.later)
+
+    def _put_to(self, device: str, relation: str, turn: Turn, vessel: Vessel) -> None:
+        """Put a vessel to an appliance, unless it is there, and have that on."""
+        if vessel.device is None or vessel.device.label != device:
+            if "dry" in turn.stage.does:
+                self.work.rising.let_rise_again(vessel)
+            self.placing.into_device(vessel, device, relation)
+        if not self.bench.is_running(vessel):
+            self.placing.heat_on(vessel)
+
+    def _work(self, turn: Turn, vessel: Vessel, attested: Attested, *, with_device: bool) -> None:
+        """Work on what is in a vessel in the way that is attested."""
+        product = self._product(turn, vessel, attested.way)
+        if not product.label:
+            self.work.work_each(vessel, attested, product.states, with_device=with_device)
+            return
+        if [_Product(stuff.label, stuff.states) for stuff in vessel.contents] == [product]:
+            return  # it is so already
+        self.bench.work(vessel, attested, product.label, product.states, with_device=with_device)
+        if turn.mixes_cold and not self._is_mixed_later(turn):
+            self.work.rising.let_rise(vessel, [turn.stage, *turn.later])
+
+    def _is_mixed_later(self, turn: Turn) -> bool:
+        """Whether something joins later and is mixed in."""
+        return any(one.does & MIXES and self.stages.course.stage_alive(one) for one in turn.later)
+
+    def _product(self, turn: Turn, vessel: Vessel, way: Way) -> _Product:
+        """Return what a stage makes of what is in a vessel, when it is done in some way."""
+        finished = not turn.is_heated_on
+        label = self._label(turn, vessel) or self._coated(turn, vessel)
+        fried = None if label else self._fried(turn, vessel)
+        if fried is not None:
+            label = fried.label
+        one = (bool(label) or turn.mixes_cold) and not self.stages.is_drained_next(vessel, turn.later)
+        states = self.work.outcome.states(turn.stage, vessel, way, product=one, finished=finished)
+        if fried is not None:
+            states = self._as_fried(states, fried)
+        return _Product((label or MIXTURE) if one else "", states)
+
+    def _label(self, turn: Turn, vessel: Vessel) -> str:
+        """Return what the whole is called after a stage; ``""`` where it gets no name by it."""
+        last = turn.main and not self.stages.is_worked_later(turn.later)
+        return self.work.outcome.label(turn.stage, vessel, last=last, main=turn.main)
+
+    def _coated(self, turn: Turn, vessel: Vessel) -> str:
+        """Return what is called as before when a stage coats it, if anything."""
+        return self.work.outcome.coated(vessel) if turn.stage.does >= COATS else ""
+
+    def _fried(self, turn: Turn, vessel: Vessel) -> Stuff | None:
+        """Return the only food that a stage fries until it is done, if it fries one."""
+        return self.stages.taken_up(turn.stage, vessel) if turn.heats and not turn.is_heated_on else None
+
+    def _as_fried(self, states: tuple[str, ...], fried: Stuff) -> tuple[str, ...]:
+        """Return the states of a food that is fried: those that it had and ``states``, and nothing of it is raw."""
+        return tuple(sorted({*states, *(state for state in fried.states if not says_raw(state, self.known))}))
+
+    def _by_hand_device(self, turn: Turn, vessel: Vessel, device: str) -> None:
+        """Work with an appliance that is held in the hand."""
+        attested = self.work.ways.way(turn.stage, vessel)
+        if attested is None:
+            return
+        machine = self.bench.device(device)
+        self.bench.switch(None, machine, on=True)
+        label = self._label(turn, vessel) or MIXTURE
+        states = self.work.outcome.states(turn.stage, vessel, attested.way, product=True, finished=False)
+        self.bench.work(vessel, attested, label, states, extra=machine)
+        self.bench.switch(None, machine, on=False)
+
+    def take_out(self, turn: Turn, vessel: Vessel) -> Vessel:
+        """Take out of a pot what only gave its taste, before that is poured, served or blended; return its vessel."""
+        if not turn.heats or vessel.relation != "on" or turn.heats_later or not self.work.taking_out.is_due(vessel):
+            return vessel
+        self.bench.heat_off(vessel)
+        if len(vessel.contents) > 1:
+            own = self.plan.label if turn.main else self.work.outcome.label(turn.stage, vessel)
+            self.work.name(vessel, own or MIXTURE)
+        return self.work.taking_out.take_out(vessel)

@@ -1,0 +1,83 @@
+"""A stage whose turn it is, and what joins it then."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeVar
+
+from foon_kg.integration.bench import Vessel
+from foon_kg.integration.joining.course import HEATS, MIXES
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.teaching.frames import Line, Stage
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A stage whose turn it is.
+
+    ``later`` are the stages that come after it, on its own line and on those that this one joins. ``main``: it is on
+    the dish's own line.
+    """
+
+    stage: Stage
+    later: tuple[Stage, ...]
+    main: bool = False
+
+    @cached_property
+    def heats(self) -> bool:
+        """Whether the stage heats or warms."""
+        return not self.stage.does.isdisjoint(HEATS)
+
+    @cached_property
+    def mixes_cold(self) -> bool:
+        """Whether the stage mixes, and heats nothing."""
+        return not self.heats and not self.stage.does.isdisjoint(MIXES)
+
+    @cached_property
+    def heats_later(self) -> bool:
+        """Whether any stage that comes later heats or warms."""
+        return any(not one.does.isdisjoint(HEATS) for one in self.later)
+
+    @cached_property
+    def is_heated_on(self) -> bool:
+        """Whether the video heats it later: what is only browned at last, by no video's step, is done before."""
+        return any(not one.does.isdisjoint(HEATS) for one in self.later if one.step >= 0)
+
+
+def turns_of(line: Line, after: Sequence[Stage], *, main: bool) -> list[Turn]:
+    """Return the turns of a line, after which the stages in ``after`` come."""
+    stages = line.stages
+    return [Turn(stage, (*stages[place:], *after), main) for place, stage in enumerate(stages, start=1)]
+
+
+def lines_at(stage: Stage) -> list[Line]:
+    """Return the lines that join at a stage."""
+    return [add for add in stage.adds if isinstance(add, Line)]
+
+
+_Thing = TypeVar("_Thing", Join, Vessel)
+
+
+def without(things: Iterable[_Thing], others: Collection[_Thing]) -> list[_Thing]:
+    """Return ``things`` but for ``others``."""
+    return [thing for thing in things if thing not in others]
+
+
+@dataclass
+class Comers:
+    """What joins a stage: foods, and vessels in which other lines were made; what came is taken out."""
+
+    joins: list[Join]
+    lines: list[Vessel]
+
+    def take(self, is_such: Callable[[Join], bool]) -> list[Join]:
+        """Take out the foods of which this is so, and return them."""
+        taken = list(filter(is_such, self.joins))
+        self.joins = without(self.joins, taken)
+        return taken
+
+    def __bool__(self) -> bool:
+        """Whether anything joins."""
+        return bool(self.joins or self.lines)
