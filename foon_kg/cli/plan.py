@@ -91,7 +91,8 @@ Output = Annotated[
     ),
 ]
 Jobs = Annotated[
-    int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
+    int | None,
+    typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule one, for many all cores."),
 ]
 Dask = Annotated[
     str | None,

@@ -73,7 +73,7 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
             code = done.code
             questions = (Question(given=one.asked(dish_type)) for one in collection.recipes(dish_type, after=done.last))
             with (
-                door.answers(questions, settings, jobs=run.jobs, dask=run.dask) as answers,
+                door.answers(questions, settings, count=count - done.count, jobs=run.jobs, dask=run.dask) as answers,
                 adding(run.output, done.size) as add,
             ):
                 for answer in progress_bar(answers, "Planning recipes", count, done.count, quiet=run.quiet):

@@ -191,22 +191,30 @@ def _stands_in(name: tuple[str, ...], told: Sequence[str]) -> bool:
     return any(tuple(told[place : place + len(name)]) == name for place in range(len(told)))
 
 
-@cache
 def techniques() -> tuple[Technique, ...]:
     """Return every technique in the order of the tables: the first that suits a dish is taken."""
-    rows = (row for table in TABLES for row in shipped(table)["techniques"].items())
-    return tuple(_technique(name, row) for name, row in rows)
+    return tuple(map(_technique_at, range(len(_technique_rows()))))
 
 
 def techniques_called(dish_type: str, told: Iterable[str]) -> Iterator[Technique]:
     """Yield the techniques by whose names a dish of that type, with these words in its title, may be called.
 
-    They are in the order of the tables. A title has the first word of few of their names, so few are looked at.
+    They are in the order of the tables. A title has the first word of few of their names, so few are read.
     """
     by_word, by_type, nameless = _by_first_words()
     found = {*nameless, *by_type.get(dish_type, ()), *(place for word in told for place in by_word.get(word, ()))}
-    every = techniques()
-    return (every[place] for place in sorted(found))
+    return map(_technique_at, sorted(found))
+
+
+@cache
+def _technique_rows() -> tuple[tuple[str, Mapping[str, Any]], ...]:
+    """Return the name and the row of every technique, in the order of the tables."""
+    return tuple(row for table in TABLES for row in shipped(table)["techniques"].items())
+
+
+@cache
+def _technique_at(place: int) -> Technique:
+    return _technique(*_technique_rows()[place])
 
 
 @cache
@@ -215,12 +223,13 @@ def _by_first_words() -> tuple[Mapping[str, list[int]], Mapping[str, list[int]],
     by_word: defaultdict[str, list[int]] = defaultdict(list)
     by_type: defaultdict[str, list[int]] = defaultdict(list)
     nameless = []
-    for place, one in enumerate(techniques()):
-        for word in {name[0] for name in one.called}:
+    for place, (_, row) in enumerate(_technique_rows()):
+        called = _called(row)
+        for word in {name[0] for name in called}:
             by_word[word].append(place)
-        for dish_type in one.or_types:
+        for dish_type in row.get("or_types", ()):
             by_type[dish_type].append(place)
-        if not one.called:
+        if not called:
             nameless.append(place)
     return dict(by_word), dict(by_type), nameless
 
@@ -299,7 +308,7 @@ def _work(row: Mapping[str, Any]) -> Work:
 def _technique(name: str, row: Mapping[str, Any]) -> Technique:
     return Technique(
         name,
-        tuple(name for one in row.get("called", ()) for name in _names(one)),
+        _called(row),
         frozenset(word for one in row.get("never", ()) for name in _names(one) for word in name),
         frozenset(row.get("types", ())),
         tuple(tuple(map(Foods.read, need)) for need in row.get("needs", ())),
@@ -311,6 +320,10 @@ def _technique(name: str, row: Mapping[str, Any]) -> Technique:
         frozenset(row.get("dishes", ())),
         frozenset(row.get("video", ())),
     )
+
+
+def _called(row: Mapping[str, Any]) -> tuple[tuple[str, ...], ...]:
+    return tuple(name for one in row.get("called", ()) for name in _names(one))
 
 
 def _names(text: str) -> list[tuple[str, ...]]:

@@ -18,6 +18,9 @@ if TYPE_CHECKING:  # every question imports what it needs
 WHOLE = 50_000
 """A FOON of more units is held by no process: each asks the graph for the parts that a recipe needs."""
 
+UNITS_A_RECIPE = 100
+"""To read and to learn so many units takes as long as to ask for what one recipe more needs."""
+
 _MOST_KEPT = 8
 """For so many different settings what plans is kept ready."""
 
@@ -77,14 +80,21 @@ class Answering(Changing):
 
     @contextmanager
     def answers(
-        self, questions: Iterable[Question], settings: PlanSettings, *, jobs: int | None = None, dask: str | None = None
+        self,
+        questions: Iterable[Question],
+        settings: PlanSettings,
+        *,
+        count: int | None = None,
+        jobs: int | None = None,
+        dask: str | None = None,
     ) -> Iterator[Iterable[Answer]]:
         """Open what answers ``questions`` with such ``settings``, in their order, each as :meth:`answer` does.
 
-        Many are answered from the whole FOON as it stands now, in ``jobs`` processes (as a rule all cores), or on the
-        cluster of the Dask scheduler at ``dask``; neither changes an answer. Questions that are not a sequence are
-        taken one by one, and count as many. Raises :class:`~foon_kg.model.errors.FoonError` where a process is ended
-        from outside.
+        Many are answered from the whole FOON as it stands now, where that is cheaper than to ask for what each needs,
+        in ``jobs`` processes (as a rule as many cores as it is worth to start one on), or on the cluster of the Dask
+        scheduler at ``dask``; none of it changes an answer. Questions that are not a sequence are taken one by one;
+        ``count`` says how many they are. Raises :class:`~foon_kg.model.errors.FoonError` where a process is ended from
+        outside.
 
         >>> from foon_kg.planning.batch import Question
         >>> from foon_kg.planning.settings import PlanSettings
@@ -93,14 +103,16 @@ class Answering(Changing):
         ...     [len(answer.outcome.units) for answer in answers]
         [6, 6]
         """
-        from foon_kg.planning.batch import MANY, Cook, answering, answering_on, cores
+        from foon_kg.planning.batch import MANY, Cook, answering, answering_on, processes_for
 
-        count = len(questions) if isinstance(questions, Sequence) else MANY
+        if count is None:
+            count = len(questions) if isinstance(questions, Sequence) else MANY
         if not count:
             yield ()
             return
-        if count >= MANY and dask is None and self._is_too_large(settings):
-            with self._in_parts(questions, settings, jobs or cores()) as answers:
+        jobs = processes_for(count) if jobs is None else jobs
+        if count >= MANY and dask is None and self._is_cheaper_in_parts(settings, count // jobs):
+            with self._in_parts(questions, settings, jobs) as answers:
                 yield answers
             return
         whole = dask is not None or count >= MANY
@@ -109,18 +121,24 @@ class Answering(Changing):
             if dask is not None and units is not None:
                 with answering_on(dask, questions, view, settings, units) as answers:
                     yield answers
-            elif units is not None and count >= MANY and (jobs or cores()) > 1:
-                with answering(questions, view, settings, units, jobs or cores()) as answers:
+            elif units is not None and count >= MANY and jobs > 1:
+                with answering(questions, view, settings, units, jobs) as answers:
                     yield answers
             else:
                 yield map(Cook(view, settings, units).answer, questions)
 
-    def _is_too_large(self, settings: PlanSettings) -> bool:
-        """Whether the FOON is in a graph, and too large to be held in memory by each process.
+    def _is_cheaper_in_parts(self, settings: PlanSettings, recipes: int) -> bool:
+        """Whether the FOON is in a graph, and too large for a process to read it whole for so many ``recipes``.
 
-        What drafts teach is read with the whole.
+        What drafts teach is read with the whole. So is what another program learnt, as long as that can be.
         """
-        return not settings.with_drafts and self.is_larger_than(WHOLE)
+        if self._snapshot is not None or settings.with_drafts:
+            return False
+        units = self.unit_count()
+        if units > WHOLE:
+            return True
+        with self._graph.reading() as view:
+            return units > UNITS_A_RECIPE * recipes and view.is_learnt_by_this_program
 
     @contextmanager
     def _in_parts(self, questions: Iterable[Question], settings: PlanSettings, jobs: int) -> Iterator[Iterable[Answer]]:

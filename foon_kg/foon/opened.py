@@ -230,11 +230,19 @@ class Opened:
         >>> foon.is_larger_than(10)
         False
         """
+        return self._snapshot is None and self.unit_count() > units
+
+    def unit_count(self) -> int:
+        """Return how many units the FOON has.
+
+        >>> foon.unit_count() == len(foon.snapshot().units)
+        True
+        """
         if self._snapshot is not None:
-            return False
+            return len(self._snapshot.units)
         from foon_kg.store.graph.counting import unit_count
 
-        return unit_count(self._connection) > units
+        return unit_count(self._connection)
 
     @property
     def server(self) -> ConnectionSettings:

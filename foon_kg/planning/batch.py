@@ -35,7 +35,10 @@ MOST_WRITES = 20
 """So often a question is asked anew because somebody wrote meanwhile."""
 
 MANY = 4
-"""From so many recipes on a whole FOON is kept ready, and starting processes is worth its second."""
+"""From so many recipes on it is looked whether a whole FOON is better kept ready."""
+
+SHARE = 64
+"""With so many recipes for each, processes are worth the second or two that each takes to start and to learn."""
 
 
 @dataclass(frozen=True)
@@ -217,6 +220,11 @@ def answering_on(
 
 def _answers_of(view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit]) -> Callable[[Question], Answer]:
     return Cook(view, settings, units).answer
+
+
+def processes_for(recipes: int) -> int:
+    """Return in how many processes so many ``recipes`` are planned soonest."""
+    return max(1, min(cores(), recipes // SHARE))
 
 
 def cores() -> int:

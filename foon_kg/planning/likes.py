@@ -67,11 +67,18 @@ class FoodLikes:
         """
         row = self._slots.find(food)
         if row is None:
-            row = array("d", [0.0] * len(self.foods))
-            if isinstance(self.similarity, FoodSimilarity):
-                row = array("d", self.similarity.in_slots([food], self.foods)[0])
-            self._slots[food] = row
+            row = self._slots[food] = self.in_slots([food], self.foods)[food]
         return row
+
+    def in_slots(self, wanted: Sequence[str], foods: Sequence[str]) -> Mapping[str, array[float]]:
+        """Return for each of ``wanted`` how sure a cook is (0 to 1) to accept each of ``foods`` in its slot of a dish.
+
+        ``foods`` need not be known.
+        """
+        if not isinstance(self.similarity, FoodSimilarity):
+            return {food: array("d", [0.0] * len(foods)) for food in wanted}
+        rows = self.similarity.in_slots(wanted, foods)
+        return {food: array("d", row) for food, row in zip(wanted, rows, strict=True)}
 
     def likes(self, food: str) -> tuple[tuple[str, float], ...]:
         """Return the known foods that can fairly stand for a food, best first; what a person chose before all."""
@@ -122,7 +129,10 @@ class RecipeLikes:
         likes.learn(singular(want.label) for want in wants)
         self._rows: dict[str, array[float]] = {}
         self._slots: dict[str, array[float]] = {}
-        names = (singular(want.label) for want in wants)
+        self._met: dict[str, int] = {}
+        self._met_in_slots: Mapping[str, array[float]] = {}
+        names = [singular(want.label) for want in wants]
+        self._wanted = tuple(dict.fromkeys(names))
         self.instead = frozenset(name for name in names if canonical(name) in likes.chosen)
 
     def __call__(self, food: str) -> Sequence[tuple[str, float]]:
@@ -140,11 +150,23 @@ class RecipeLikes:
         found = [*fair, *(pair for pair in self._likes.others(singular(food)) if pair[0] not in dict(fair))]
         return [pair for pair in found if pair[0] != chosen]
 
+    def meet(self, foods: Iterable[str]) -> None:
+        """Work out what :meth:`in_slot` answers of ``foods`` that dishes have and that are unlike all of the recipe's.
+
+        Of a part of a FOON they are not among the known ones.
+        """
+        strange = sorted({food for food in foods if not self._likes.knows(food)})
+        if strange:
+            self._met = {food: place for place, food in enumerate(strange)}
+            self._met_in_slots = self._likes.in_slots(self._wanted, strange)
+
     def in_slot(self, food: str, known: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a known food for another one: in its slot, or anywhere."""
         place, name = self._likes.place.get(known), singular(food)
         if place is None:
-            return self.alike(food, known)
+            met = self._met.get(known)
+            slot = 0.0 if met is None or name not in self._met_in_slots else self._met_in_slots[name][met]
+            return max(self.alike(food, known), slot)
         slots = self._slots.get(name)
         if slots is None:
             slots = self._slots[name] = self._likes.slots(name)

@@ -244,7 +244,9 @@ class _Question:
         avoided = self.settings.avoided
         allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
         keys = shortlisted(self.methods.outlines, asked, self.likes, allowed)
-        return fits(self.methods.layouts_of(list(dict.fromkeys((*first, *keys)))), asked, self.matcher)
+        layouts = self.methods.layouts_of(list(dict.fromkeys((*first, *keys))))
+        self.likes.meet(place.slot.food for layout in layouts for place in layout.places)
+        return fits(layouts, asked, self.matcher)
 
     def _nearest(self, asked: Asked) -> str:
         """Return what to do where the asked dish cannot be: the recorded dishes that come nearest to it are named."""

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from foon_kg.food import tables
 from foon_kg.similarity.forms import plain
 from foon_kg.similarity.groups import FoodGroups
 from foon_kg.similarity.sparse import Flags, SparseRows, Table
-from foon_kg.similarity.taxonomy import FoodTaxonomy
+from foon_kg.similarity.taxonomy import MOST_NAMES, FoodTaxonomy
 from foon_kg.similarity.vectors import FoodVectors
 
 KINDS = (
@@ -77,7 +77,7 @@ class Evidence:
             listed=np.array([name in self.food_groups.places for name in names], dtype=bool),
             dish=np.minimum(memberships @ self._is_dish, 1.0),
             strange=~kinds.filled & np.array([self._is_strange(name) for name in names], dtype=bool),
-            obscure=np.array([self._is_obscure(name) for name in names], dtype=bool),
+            obscure=np.array(list(map(self._obscure, names)), dtype=bool),
             words=tuple(frozenset(name.split()) for name in names),
             last_words=last_words,
         )
@@ -111,6 +111,11 @@ class Evidence:
     @cached_property
     def _stands_for_others(self) -> Table:
         return 1 - self.food_groups.on_shelves("apart")
+
+    @cached_property
+    def _obscure(self) -> Callable[[str], bool]:
+        """What :meth:`_is_obscure` answers, kept: plans ask again and again of the same names."""
+        return lru_cache(maxsize=MOST_NAMES)(self._is_obscure)
 
     def _is_strange(self, name: str) -> bool:
         """Say whether no table lists a name or any ending of it as a food."""

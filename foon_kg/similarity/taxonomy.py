@@ -8,14 +8,17 @@ it; the product of two rows is then the information they share, and the cosine L
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from importlib.resources import files
 
 from foon_kg.similarity.sparse import SparseRows
 
 Kinds = dict[int, float]
+MOST_NAMES = 1 << 14
+"""Of so many names it is kept what they are."""
+
 _SHORTENED = 0.9  # of "red onion" only the onion was found
 
 
@@ -42,7 +45,12 @@ class FoodTaxonomy:
         telling = {kind: sum(self.added[above] for above in self.above[kind]) for kind in both}
         return self.names[min(both, key=lambda kind: (-telling[kind], kind))] if both else None
 
-    def _kinds(self, name: str) -> Kinds:
+    @cached_property
+    def _kinds(self) -> Callable[[str], Kinds]:
+        """What :meth:`_kinds_of` answers, kept: plans ask again and again of the same names."""
+        return lru_cache(maxsize=MOST_NAMES)(self._kinds_of)
+
+    def _kinds_of(self, name: str) -> Kinds:
         words = name.split()
         for start in range(len(words)):
             meanings = self.meanings.get(" ".join(words[start:]))

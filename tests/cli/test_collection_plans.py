@@ -19,6 +19,7 @@ from foon_kg.language.collection import CollectionReader
 from foon_kg.model.collected import CollectedLine, CollectedRecipe
 from foon_kg.model.errors import UsageError
 from foon_kg.store.graph import Connection, load
+from foon_kg.store.graph.free_cypher import ask_freely
 from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes, recipes_after, recipes_until
 
 distributed = pytest.importorskip("distributed", reason="the extra “cluster” is not installed")
@@ -100,16 +101,29 @@ def test_a_collection_is_planned_in_its_order_and_a_killed_run_goes_on_to_the_sa
 
 
 @pytest.mark.neo4j
-def test_of_a_large_foon_each_process_asks_for_parts_and_plans_the_same(connection, tmp_path, monkeypatch):
+@pytest.mark.parametrize("bound", ["WHOLE", "UNITS_A_RECIPE"])
+def test_of_a_large_foon_each_process_asks_for_parts_and_plans_the_same(connection, tmp_path, monkeypatch, bound):
     whole, parts = tmp_path / "whole.jsonl", tmp_path / "parts.jsonl"
     plan("--recipes", "soup", "--output", whole, "--jobs", 1)
-    monkeypatch.setattr("foon_kg.foon.answering.WHOLE", 0)
+    monkeypatch.setattr(f"foon_kg.foon.answering.{bound}", 0)
     monkeypatch.setattr("foon_kg.store.graph.Neo4jGraph.snapshot", None)  # nobody reads the whole
     answer = plan("--recipes", "soup", "--output", parts, "--jobs", 1)
     assert parts.read_bytes() == whole.read_bytes(), answer.stderr
     parts.unlink()
     plan("--recipes", "soup", "--output", parts, "--jobs", 2)
     assert parts.read_bytes() == whole.read_bytes()
+
+
+@pytest.mark.neo4j
+def test_what_another_program_learnt_is_read_whole(connection, tmp_path, monkeypatch):
+    """In parts nothing could be asked of it."""
+    own, others = tmp_path / "own.jsonl", tmp_path / "others.jsonl"
+    plan("--recipes", "soup", "--output", own, "--jobs", 1)
+    monkeypatch.setattr("foon_kg.foon.answering.UNITS_A_RECIPE", 0)
+    monkeypatch.setattr("foon_kg.store.graph.reading.MOST_LEARNT_ANEW", 0)
+    ask_freely(connection, "MATCH (f:Foon) SET f.methods = 'others'", write=True)
+    answer = plan("--recipes", "soup", "--output", others, "--jobs", 1)
+    assert others.read_bytes() == own.read_bytes(), answer.stderr
 
 
 @contextmanager

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import stat
-from dataclasses import dataclass
 
 import pytest
 from kitchen_stories import SALAD, subgraph
@@ -12,18 +11,17 @@ from foon_kg.model import kept
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import Connection, Neo4jGraph, load
 from foon_kg.store.graph.kept_rows import KeptRows
+from foon_kg.store.graph.rows import Row
 from foon_kg.store.graph.statements import Statement
 from foon_kg.store.snapshot import Snapshot
 
 
-@dataclass(frozen=True)
-class Counted:
+class Counted(Row):
     name: str
     count: int
 
 
-@dataclass(frozen=True)
-class Measured:
+class Measured(Row):
     name: str
     weight: float
 

@@ -6,7 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.integration.teaching.operators import LIKE_AT_ALL
+from foon_kg.food import tables
+from foon_kg.integration.joining.places import NATURAL
+from foon_kg.integration.preparing.understanding import wants_of
+from foon_kg.integration.teaching.operators import LIKE_AT_ALL, Operators
+from foon_kg.model import RequiredIngredient
 from foon_kg.model.errors import UsageError
 from foon_kg.planning.likes import FoodLikes
 from foon_kg.similarity import cosine_similarity, food_similarity
@@ -44,6 +48,18 @@ def test_a_role_that_nobody_knows_is_refused():
     with pytest.raises(UsageError, match="colour") as refused:
         in_role("broth", KNOWN, "colour", 3)
     assert "liquid" in refused.value.hint
+
+
+@pytest.mark.parametrize("known", [[], ["chicken"], ["water", "onion"]])
+def test_of_a_part_of_a_foon_a_slot_takes_what_it_takes_of_the_whole(known):
+    asked = [RequiredIngredient("shrimp", ""), RequiredIngredient("stock", "")]
+    wants = wants_of(asked, tables(), Operators((), tables()))
+    whole = FoodLikes(food_similarity(), KNOWN).of_recipe(wants)
+    part = FoodLikes(food_similarity(), known).of_recipe(wants)
+    part.meet(KNOWN)
+    likely = [(want.label, food) for want in wants for food in KNOWN if whole.in_slot(want.label, food) >= NATURAL]
+    assert {("shrimp", "chicken"), ("stock", "water")} <= set(likely)
+    assert [part.in_slot(*pair) for pair in likely] == [whole.in_slot(*pair) for pair in likely]
 
 
 def test_a_slot_of_a_dish_takes_what_does_the_same_and_nothing_less_than_it_did():

@@ -88,6 +88,11 @@ class Evidence:
     often: Counter[str] = field(default_factory=Counter)
     appliances: Counter[str] = field(default_factory=Counter)
 
+    def copy(self) -> Evidence:
+        """Return the same evidence, to which more can be added."""
+        foods, kinds, often = self.foods.copy(), self.kinds.copy(), self.often.copy()
+        return Evidence(foods, kinds, self.all, self.count, often, self.appliances)
+
     def keep_the_first(self) -> None:
         """Forget all sightings but those that may be named."""
         self.all = _first(self.all)
@@ -176,6 +181,23 @@ class Operators:
         role = was.place_utensil.role if was.place_utensil is not None else ""
         for name in (said.label, f"kind:{kind}", f"form:{form}"):
             self.bringing[name, role][way] += 1
+
+    def to_be_told(self, ways: Iterable[Way]) -> Operators:
+        """Return the same operators, which can be told more of foods to which ``ways`` are done.
+
+        All that does not depend on single foods is shared with these, and worked out once.
+        """
+        found = Operators((), self.known)
+        found.giving, found.onto = self.giving, self.onto
+        found._making, found._fine, found._brings = self._making, self._fine, self._brings
+        vars(found).update(ways=self.ways, _ways_of=self._ways_of, _able=self._able)
+        found.bringing.update(self.bringing)
+        found.states.update(self.states)
+        found.foods.update(self.foods)
+        for evidence, own_evidence in ((self.evidence, found.evidence), (self.acts, found.acts)):
+            own_evidence.update(evidence)
+            own_evidence.update((way, evidence[way].copy()) for way in ways if way in evidence)
+        return found
 
     def attested(
         self,

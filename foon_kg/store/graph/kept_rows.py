@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from foon_kg.model import kept
@@ -42,4 +42,4 @@ class KeptRows:
 
 
 def _columns(statement: Statement[Any]) -> list[str]:
-    return [field.name for field in fields(statement.row)]
+    return list(statement.row.columns)

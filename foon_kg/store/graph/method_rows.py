@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from foon_kg.store.graph.rows import Counted
+from foon_kg.store.graph.rows import Counted, Row
 
 SightingValue = tuple[str, int, str | None, float | None, float | None]
 """The values of a ``Sighting``: video, position, source, start and end."""
@@ -26,22 +24,19 @@ PostCount = tuple[str, str, str, str, bool, int]
 """``[kind, dish_type, work, heated, joins, count]``."""
 
 
-@dataclass(frozen=True)
-class AttestedRow:
+class AttestedRow(Row):
     """For each unit its key, that of its operator, what it is done to, and what of that it changes."""
 
     attested: list[tuple[str, str, list[str], list[str]]]
 
 
-@dataclass(frozen=True)
-class EvidenceRow:
+class EvidenceRow(Row):
     """For operators and matters the texts of the sightings that are kept: of all units, and of those that change it."""
 
     kept: list[tuple[str, str, list[str], list[str]]]
 
 
-@dataclass(frozen=True)
-class FirstSightingsRow:
+class FirstSightingsRow(Row):
     """Where an operator was first seen done to a matter, and first seen to change it."""
 
     operator: str
@@ -50,15 +45,13 @@ class FirstSightingsRow:
     changes: list[SightingValue]
 
 
-@dataclass(frozen=True)
-class TextRow:
+class TextRow(Row):
     """The text of one frame."""
 
     text: str
 
 
-@dataclass(frozen=True)
-class MethodsCommonRow:
+class MethodsCommonRow(Row):
     """What of the methods matters to every question, in no order. Operators go by their numbers in the store.
 
     ``operators``: number, motion, tools, and evidence for anything. ``usual``: the foods that each is most often done
@@ -77,8 +70,7 @@ class MethodsCommonRow:
     cooked: list[tuple[str, str, int]]
 
 
-@dataclass(frozen=True)
-class MethodsAskedRow:
+class MethodsAskedRow(Row):
     """For each asked food the number of points looked at, the cosine of the furthest, and the names of the near ones.
 
     For each matter the evidence of its operators, from where they bring it (number, role, count), and its states.
@@ -88,22 +80,19 @@ class MethodsAskedRow:
     matters: list[MatterValue]
 
 
-@dataclass(frozen=True)
-class FramesRow:
+class FramesRow(Row):
     """All frames, in no order."""
 
     frames: list[FrameValue]
 
 
-@dataclass(frozen=True)
-class FramesReadRow:
+class FramesReadRow(Row):
     """Frames that are looked at closely, in no order."""
 
     frames: list[FrameReadValue]
 
 
-@dataclass(frozen=True)
-class MethodsRow:
+class MethodsRow(Row):
     """What was learnt of a FOON, in no order. The first seven columns have a value for each operator.
 
     Of ``brings`` matter, role and count; of ``posts`` kind, dish type, the three parts of the post, and count.

@@ -193,8 +193,15 @@ class CommonMethods:
 
     @cached_property
     def _shared(self) -> Operators:
-        """The operators without what is done to single foods and kinds; its tables are shared by all others."""
+        """The operators with what matters to every question; its tables and its evidence are shared by all others."""
         found = Operators((), tables())
+        for number, _, _, value in self._row.operators:
+            self._sightings.attest(found, self._ways[number], ANYTHING, value)
+        for number, food, value in self._row.usual:
+            self._sightings.attest(found, self._ways[number], food, value)
+        for number, appliance, count in self._row.appliances:
+            found.evidence[self._ways[number]].appliances[appliance] = count
+        found.foods.update(*(evidence.foods for evidence in found.evidence.values()))
         for number, state, count in self._row.gives:
             found.giving[state][self._ways[number]] = count
         for number, place, count in self._row.places:
@@ -208,25 +215,16 @@ class CommonMethods:
     def operators_with(self, matters: Iterable[MatterValue]) -> Operators:
         """Return the operators with what is done to ``matters``, and how each of these is brought and found."""
         matters = list(matters)
-        shared, found = self._shared, Operators((), tables())
-        found.giving, found.onto = shared.giving, shared.onto
-        found.bringing.update(shared.bringing)
-        found.states.update(shared.states)
         self._sightings.read(value for _, rows, _, _ in matters for _, value in rows)
-        for number, _, _, value in self._row.operators:
-            self._sightings.attest(found, self._ways[number], ANYTHING, value)
-        for number, food, value in self._row.usual:
-            self._sightings.attest(found, self._ways[number], food, value)
-        for number, appliance, count in self._row.appliances:
-            found.evidence[self._ways[number]].appliances[appliance] = count
+        found = self._shared.to_be_told({self._ways[number] for _, rows, _, _ in matters for number, _ in rows})
         for name, rows, brings, states in matters:
             for number, value in rows:
                 self._sightings.attest(found, self._ways[number], name, value)
             for number, role, count in brings:
                 found.bringing[name, role][self._ways[number]] = count
             found.states[name].update(states)
-        for evidence in found.evidence.values():
-            found.foods |= evidence.foods.keys()
+            if rows and not name.startswith(KIND):
+                found.foods.add(name)
         return found
 
     def methods_with(self, matters: Iterable[MatterValue], dishes: LearntDishes, ask: Ask) -> Methods:

@@ -207,6 +207,11 @@ class GraphView:
         (row,) = self._ask(NODES_CALLED, labels=sorted(set(labels)))
         return tuple(sorted(map(node_of, row.nodes), key=lambda node: node.sort_key))
 
+    @property
+    def is_learnt_by_this_program(self) -> bool:
+        """Whether what the graph teaches was learnt as this program learns, so that it can be asked for in parts."""
+        return self._learnt_by == methods_key()
+
     def methods(self) -> Methods:
         """Return what this FOON teaches. Where another program learnt it, it is learnt anew, in memory."""
         if self._edition.methods is None:
@@ -219,7 +224,7 @@ class GraphView:
         That are the operators done to ``foods``, to those like one of them at all, or to their kinds.
         """
         del dish_type
-        if self._learnt_by != methods_key() or not all(map(words, foods)):
+        if not self.is_learnt_by_this_program or not all(map(words, foods)):
             return self.methods()
         matters = self._edition.matters.for_foods(
             {singular(food) for food in (*foods, *self._kitchen.free_foods)},
@@ -238,7 +243,7 @@ class GraphView:
         return row.frames
 
     def _read_methods(self) -> Methods:
-        if self._learnt_by != methods_key():
+        if not self.is_learnt_by_this_program:
             names = self.video_names()
             if len(names) > MOST_LEARNT_ANEW:
                 raise SchemaError(

@@ -2,34 +2,30 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from foon_kg.store.graph.rows import Row
 
 
-@dataclass(frozen=True)
-class RecipeContentRow:
+class RecipeContentRow(Row):
     """A recipe that the graph has, and the hash of its content."""
 
     id: str
     content: str
 
 
-@dataclass(frozen=True)
-class RecipesTurnRow:
+class RecipesTurnRow(Row):
     """How many recipes are counted; ``None`` where those that are there never were."""
 
     recipes: int | None
 
 
-@dataclass(frozen=True)
-class RecipeHeldRow:
+class RecipeHeldRow(Row):
     """What a recipe counts for: ``[dish type, sure]`` and ``[food, state]``."""
 
     classes: list[tuple[str, bool]]
     ingredients: list[tuple[str, str]]
 
 
-@dataclass(frozen=True)
-class RecipeRow:
+class RecipeRow(Row):
     """A recipe; ``classes`` are ``[dish type, sure]``, ``ingredients`` are the values of a ``CalledFor``."""
 
     title: str
@@ -37,8 +33,7 @@ class RecipeRow:
     ingredients: list[tuple[str, str, str, str, str]]
 
 
-@dataclass(frozen=True)
-class RecipePageRow:
+class RecipePageRow(Row):
     """A recipe as in a ``RecipeRow``, with its id."""
 
     id: str
@@ -47,23 +42,20 @@ class RecipePageRow:
     ingredients: list[tuple[str, str, str, str, str]]
 
 
-@dataclass(frozen=True)
-class RecipesUntilRow:
+class RecipesUntilRow(Row):
     """How many recipes there are, and how many of them up to one."""
 
     recipes: int
     until: int
 
 
-@dataclass(frozen=True)
-class RecipeIdRow:
+class RecipeIdRow(Row):
     """The id of one recipe."""
 
     id: str
 
 
-@dataclass(frozen=True)
-class RecipeClassRow:
+class RecipeClassRow(Row):
     """The recipes that surely are a ``dish_type``; ``unseen`` of the ``ingredients`` they call for are in no unit."""
 
     dish_type: str
@@ -72,8 +64,7 @@ class RecipeClassRow:
     unseen: int
 
 
-@dataclass(frozen=True)
-class WantedFoodRow:
+class WantedFoodRow(Row):
     """A food that no unit has, how many recipes call for it, and in which states most often."""
 
     food: str
@@ -81,8 +72,7 @@ class WantedFoodRow:
     states: list[str]
 
 
-@dataclass(frozen=True)
-class RecipeCountRow:
+class RecipeCountRow(Row):
     """All recipes, those with a sure dish type, and the foods that they name."""
 
     recipes: int

@@ -6,8 +6,7 @@ rows values is in :mod:`foon_kg.store.graph.values`; what was learnt of a FOON h
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar, dataclass_transform
 
 NodeRow = tuple[str, list[str], list[str], str | None, str | None]
 Properties = dict[str, Any]
@@ -34,13 +33,45 @@ Counted = list[tuple[str, int]]
 """Names with their counts."""
 
 
-@dataclass(frozen=True)
-class Nothing:
+@dataclass_transform(frozen_default=True)
+class Row:
+    """A row; its columns are what is annotated in its class, in this order.
+
+    There are fifty kinds of rows, and each command imports them all. A data class takes half a millisecond to be made,
+    for methods that no row needs; these share theirs.
+    """
+
+    columns: ClassVar[tuple[str, ...]] = ()
+
+    def __init_subclass__(cls) -> None:
+        """Take down the columns of a kind of rows."""
+        cls.columns = tuple(cls.__annotations__)
+
+    def __init__(self, *values: object, **named: object) -> None:
+        """Take the values of the columns; raises TypeError where there are too many, or one is missing."""
+        known = vars(self)
+        known.update(zip(self.columns, values, strict=False), **named)
+        if len(values) + len(named) != len(known) or not all(hasattr(self, name) for name in self.columns):
+            raise TypeError(f"{type(self).__name__} has the columns {', '.join(self.columns)}")
+
+    def __eq__(self, other: object) -> bool:
+        """Whether the other one is such a row with the same values."""
+        return type(other) is type(self) and all(getattr(self, name) == getattr(other, name) for name in self.columns)
+
+    def __hash__(self) -> int:
+        """Return the hash of its values; raises TypeError where one is a list."""
+        return hash(tuple(getattr(self, name) for name in self.columns))
+
+    def __repr__(self) -> str:
+        """Return the row as it is written in Python."""
+        return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in self.columns)})"
+
+
+class Nothing(Row):
     """The row of a statement that answers nothing."""
 
 
-@dataclass(frozen=True)
-class SchemaState:
+class SchemaState(Row):
     """Which schema, kitchen and word lists a graph was written with; no ``words`` where it has no vectors yet.
 
     Every write that may change an answer gives the FOON a new ``edition``, a name that no other state of any graph has.
@@ -54,15 +85,13 @@ class SchemaState:
     methods: str | None = None
 
 
-@dataclass(frozen=True)
-class UnitsCountRow:
+class UnitsCountRow(Row):
     """How many units a FOON has."""
 
     units: int
 
 
-@dataclass(frozen=True)
-class SizeRow:
+class SizeRow(Row):
     """How many units, videos and foods a FOON has, and its dish types."""
 
     units: int
@@ -71,8 +100,7 @@ class SizeRow:
     dish_types: list[str]
 
 
-@dataclass(frozen=True)
-class NamesLikeRow:
+class NamesLikeRow(Row):
     """Names that a text may become; of a food also whether it is seen in the asked state."""
 
     foods: list[tuple[str, bool]]
@@ -80,8 +108,7 @@ class NamesLikeRow:
     goals: list[str]
 
 
-@dataclass(frozen=True)
-class AroundLabelRow:
+class AroundLabelRow(Row):
     """How many units make and take an object, the keys of some of them, some of its nodes and videos."""
 
     nodes: list[NodeRow]
@@ -92,52 +119,45 @@ class AroundLabelRow:
     videos: list[str]
 
 
-@dataclass(frozen=True)
-class SomethingRow:
+class SomethingRow(Row):
     """Whether a database holds anything."""
 
     something: bool
 
 
-@dataclass(frozen=True)
-class KeyRow:
+class KeyRow(Row):
     """The key of one unit or object node."""
 
     key: str
 
 
-@dataclass(frozen=True)
-class StatesRow:
+class StatesRow(Row):
     """The states of one object node."""
 
     states: list[str]
 
 
-@dataclass(frozen=True)
-class NameRow:
+class NameRow(Row):
     """The name of one video or food."""
 
     name: str
 
 
-@dataclass(frozen=True)
-class ShownRow:
+class ShownRow(Row):
     """The key of one unit, and the videos that show it."""
 
     key: str
     videos: list[str]
 
 
-@dataclass(frozen=True)
-class ContentRow:
+class ContentRow(Row):
     """A video that the graph has, and the hash of its content."""
 
     name: str
     content: str
 
 
-@dataclass(frozen=True)
-class DraftRow:
+class DraftRow(Row):
     """A draft: the fields of a ``DraftedRecipe``."""
 
     id: str
@@ -149,8 +169,7 @@ class DraftRow:
     confidence: float
 
 
-@dataclass(frozen=True)
-class UnitRow:
+class UnitRow(Row):
     """A unit without anything that a video says about it."""
 
     key: str
@@ -160,15 +179,13 @@ class UnitRow:
     outputs: list[NodeRow]
 
 
-@dataclass(frozen=True)
-class BehindRow:
+class BehindRow(Row):
     """The keys of all units at once: one long row travels several times faster than many short ones."""
 
     keys: list[str]
 
 
-@dataclass(frozen=True)
-class KnownUnitsRow:
+class KnownUnitsRow(Row):
     """Units, each of their nodes once, and what the vocabulary has about their foods."""
 
     nodes: list[KeyedNode]
@@ -176,8 +193,7 @@ class KnownUnitsRow:
     foods: list[StateRow]
 
 
-@dataclass(frozen=True)
-class SubgraphRow:
+class SubgraphRow(Row):
     """A video with its units in order."""
 
     name: str
@@ -185,8 +201,7 @@ class SubgraphRow:
     units: list[SeenUnit]
 
 
-@dataclass(frozen=True)
-class VocabularyRow:
+class VocabularyRow(Row):
     """The tables of the vocabulary, in no order; of each state the labels of its foods, and their counts."""
 
     foods: list[StateRow]
@@ -195,15 +210,13 @@ class VocabularyRow:
     dish_types: list[str]
 
 
-@dataclass(frozen=True)
-class FoodRowsRow:
+class FoodRowsRow(Row):
     """What the vocabulary has about some foods, in no order."""
 
     foods: list[StateRow]
 
 
-@dataclass(frozen=True)
-class StatisticsRow:
+class StatisticsRow(Row):
     """Counts of the whole FOON; of verbs and dish types by name, of ``motions`` by state and verb, in no order."""
 
     videos: int
@@ -216,8 +229,7 @@ class StatisticsRow:
     motions: list[tuple[str, str, int]]
 
 
-@dataclass(frozen=True)
-class WordsForRow:
+class WordsForRow(Row):
     """A part of the vocabulary, in no order, with mere ingredients among its ``names``.
 
     ``nearest`` says of each asked food how many points were near it, and the cosine of the furthest of them.
@@ -233,8 +245,7 @@ class WordsForRow:
     dish_types: list[str]
 
 
-@dataclass(frozen=True)
-class PlanRow:
+class PlanRow(Row):
     """A reference tree that was retrieved before: the fields of a ``RetrievedTree``."""
 
     question: str
@@ -244,8 +255,7 @@ class PlanRow:
     gaps: list[str]
 
 
-@dataclass(frozen=True)
-class EquivalentsRow:
+class EquivalentsRow(Row):
     """The known foods named like the asked one, and those near it: name, whether it is a food at all, cosine."""
 
     name: str
@@ -253,23 +263,20 @@ class EquivalentsRow:
     nearest: list[tuple[str, bool, float]]
 
 
-@dataclass(frozen=True)
-class NodesRow:
+class NodesRow(Row):
     """Object nodes, all in one row."""
 
     nodes: list[NodeRow]
 
 
-@dataclass(frozen=True)
-class MotionCostsRow:
+class MotionCostsRow(Row):
     """The weights of motions: as many ``costs`` as ``motions``, in the same order."""
 
     motions: list[str]
     costs: list[float]
 
 
-@dataclass(frozen=True)
-class VerbCostRow:
+class VerbCostRow(Row):
     """A verb with how many units have it, and whether it has a weight now."""
 
     verb: str
@@ -277,15 +284,13 @@ class VerbCostRow:
     has_cost: bool
 
 
-@dataclass(frozen=True)
-class GoalsRow:
+class GoalsRow(Row):
     """All goals at once: their nodes, dish types, and the videos that make them."""
 
     goals: list[GoalValue]
 
 
-@dataclass(frozen=True)
-class LikelyGoalsRow:
+class LikelyGoalsRow(Row):
     """Goals as in :class:`GoalsRow`, the known foods that their labels name, and the least gain among them."""
 
     goals: list[GoalValue]
@@ -294,8 +299,7 @@ class LikelyGoalsRow:
     least_gain: float | None
 
 
-@dataclass(frozen=True)
-class GoneRow:
+class GoneRow(Row):
     """How many nodes and edges went."""
 
     gone: int

@@ -89,7 +89,7 @@ def _up_to_date(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
         from foon_kg.store.graph.learnt_by import methods_key  # noqa: PLC0415 - only a new graph needs it
 
         known = state or SchemaState(0, kitchen_key(kitchen), methods=methods_key())
-        state = dataclasses.replace(known, version=schema_version())
+        state = SchemaState(schema_version(), known.kitchen, known.words, known.edition, known.methods)
         session.execute_write(ask, SCHEMA_RECORD, version=state.version, kitchen=state.kitchen, methods=state.methods)
     _refuse_newer(state)
     return state
