@@ -347,3 +347,17 @@ def test_grain_of_a_salad_takes_up_the_water_that_is_listed_beside_it(steps, ask
 def test_other_water_of_a_salad_is_in_its_dressing(steps):
     told = steps("salad", "", "oil:liquid", "vinegar:liquid", "water:liquid", "honey:thick liquid", "lettuce:chopped")
     assert inside(told, "mix") == {"oil", "vinegar", "water", "honey"}
+
+
+def test_stock_starch_and_soy_sauce_behind_an_omelette_are_the_sauce_that_is_poured_over_it(steps):
+    filling = ("egg:uncooked", "shrimp:peeled", "scallion:chopped", "oil:liquid")
+    told = steps("omelette", "", *filling, "broth:liquid", "soy sauce:liquid", "cornstarch:powder")
+    assert "soy sauce" not in inside(told, "whisk")
+    (sauce,) = [place for place, (foods, one, _) in enumerate(told) if one == "cook and stir" and "soy sauce" in foods]
+    poured = max(place for place, (foods, _, _) in enumerate(told) if "soy sauce" in foods)
+    assert sauce < motions(told).index("fold") < poured
+
+
+def test_soy_sauce_and_water_alone_are_beaten_into_the_eggs(steps):
+    told = steps("omelette", "", "egg:uncooked", "ham:diced", "oil:liquid", "soy sauce:liquid", "water:liquid")
+    assert not any("saucepan" in foods for foods, _, _ in told)
