@@ -12,7 +12,7 @@ from itertools import chain
 
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import TaskTree
-from foon_kg.validation import dish, form, handling, honesty, robot, table
+from foon_kg.validation import dish, form, handling, honesty, robot, sense, table
 from foon_kg.validation.case import FREE, Case
 from foon_kg.validation.foon import KnownFoon
 from foon_kg.validation.repeatability import repeatable
@@ -62,7 +62,7 @@ ASKED: dict[str, Callable[[Case], Iterator[Finding]]] = {
     "K4": table.tools,
     "K5": dish.defined,
     "K6": dish.asked,
-    "K7": dish.sense,
+    "K7": sense.sense,
 }
 """What is asked of one tree; C9 is asked of several answers by :func:`repeatable`."""
 

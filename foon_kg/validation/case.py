@@ -39,6 +39,11 @@ class Case:
         """What the recipe asks for; nothing where there is none."""
         return self.recipe.ingredients if self.recipe else ()
 
+    @property
+    def title(self) -> str:
+        """The title of the recipe asked; empty where there is none."""
+        return (self.recipe.title or "") if self.recipe else ""
+
     @cached_property
     def required_names(self) -> frozenset[str]:
         """The required foods, in the singular."""

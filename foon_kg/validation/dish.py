@@ -1,4 +1,4 @@
-"""What a cook needs of the whole dish (docs/contract.md, K5 to K7): its name is true, and what was asked is in it."""
+"""What a cook needs of the whole dish (docs/contract.md, K5 and K6): its name is true, and what was asked is in it."""
 
 from __future__ import annotations
 
@@ -14,15 +14,16 @@ from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.validation.case import Case, names, was_taken_out
 from foon_kg.validation.named import unheeded
 from foon_kg.validation.report import Finding
-from foon_kg.validation.robot import never_lit, of_world
-from foon_kg.world import Happening, Part, Vessel
+from foon_kg.world import Part
 from foon_kg.world.becoming import meets
 
 _DONE = frozenset({"boil", "cook"})
 """Treatments after which nothing is raw."""
 
-_GROUND = 4
-"""As fine as this (crushed, grated), a topping binds what it is stirred into."""
+_COMES_LAST = (
+    "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready", "dough", "starch",
+)  # fmt: skip
+"""Kinds of food that may come to a dish when all else is mixed."""
 
 
 def defined(case: Case) -> Iterator[Finding]:
@@ -36,17 +37,23 @@ def defined(case: Case) -> Iterator[Finding]:
     yield from unheeded(case)
     yield from _stirred_layers(case, case.goal)
     yield from _called_too_early(case, case.goal)
-    title = case.recipe.title or "" if case.recipe else ""
-    for lack in missing(case, case.goal.label, *case.dish_types, title):
+    for lack in missing(case, case.goal.label, *case.dish_types, case.title):
         yield Finding("K5", f"“{case.goal.label}” without {lack}", None, (case.goal,))
-    if not _is_never_hot(case, title):
-        yield from _unheated(case, case.goal, title)
+    if not _is_never_hot(case):
+        yield from _unheated(case, case.goal)
         if case.recipe:
-            yield from _raw_sauce(case, case.goal, title)
-    for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), title):
+            yield from _raw_sauce(case, case.goal)
+    yield from _unbaked(case, case.goal)
+
+
+def _unbaked(case: Case, goal: ObjectNode) -> Iterator[Finding]:
+    """Yield the names of the dish that are those of baked dishes, where it was not baked and does not set cold."""
+    if _baked(case) or is_unbaked(case.title):
+        return
+    for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), case.title):
         bought = any(part.food.is_a(dish.name) for part in case.parts)  # bread that somebody dips was baked before
-        if dish.baked and not (bought or _baked(case) or is_unbaked(title) or _sets_cold(case, dish)):
-            yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (case.goal,))
+        if dish.baked and not bought and not _sets_cold(case, dish):
+            yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (goal,))
 
 
 def _called_too_early(case: Case, goal: ObjectNode) -> Iterator[Finding]:
@@ -76,36 +83,48 @@ def _stirred_layers(case: Case, goal: ObjectNode) -> Iterator[Finding]:
 
 def _layered(case: Case) -> list[str]:
     """Return the first word of the title by which a dish lies in layers, if any."""
-    told = words(case.recipe.title or "") if case.recipe else ()
+    told = words(case.title)
     stirred = not word_list("is laid in no layers").isdisjoint(told)
     return [] if stirred else [word for word in told if word in word_list("is laid in layers")][:1]
 
 
-def _is_never_hot(case: Case, title: str) -> bool:
+def _is_never_hot(case: Case) -> bool:
     """Whether a dish is called as one that is cold."""
-    cold = any(dish.heated is False and not dish.is_type for dish in case.tables.dishes_named(title))
-    return cold or not word_list("is never hot").isdisjoint(words(title))
+    cold = any(dish.heated is False and not dish.is_type for dish in case.tables.dishes_named(case.title))
+    return cold or not word_list("is never hot").isdisjoint(words(case.title))
 
 
-def _unheated(case: Case, goal: ObjectNode, title: str) -> Iterator[Finding]:
+def _unheated(case: Case, goal: ObjectNode) -> Iterator[Finding]:
     """Yield the names of the dish that are those of hot dishes, where nothing in it was heated."""
-    for dish in case.tables.dishes_named(goal.label, *case.dish_types, title):
-        warm = _is_asked(case, dish) or is_unbaked(title) or any(part.heated is not None for part in case.parts)
+    for dish in case.tables.dishes_named(goal.label, *case.dish_types, case.title):
+        warm = _is_asked(case, dish) or is_unbaked(case.title) or _was_hot(case)
         if dish.heated and not warm:
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (goal,))
 
 
-def _raw_sauce(case: Case, goal: ObjectNode, title: str) -> Iterator[Finding]:
+def _was_hot(case: Case) -> bool:
+    """Whether anything in the dish was heated."""
+    return any(part.heated is not None for part in case.parts)
+
+
+def _raw_sauce(case: Case, goal: ObjectNode) -> Iterator[Finding]:
     """Yield a sauce of raw roots with tomatoes or fruit that nobody heated, and that is not called as what is so."""
-    called = {*words(title), *words(goal.label)}
-    eaten_raw = not word_list("is a raw sauce").isdisjoint(called)
-    eaten_raw = eaten_raw or any(part.food.is_a(*word_list("makes a raw sauce")) for part in case.parts)
-    if eaten_raw or "sauce" not in case.dish_types or any(part.heated is not None for part in case.parts):
+    if "sauce" not in case.dish_types or _was_hot(case) or _is_raw_sauce(case, goal):
         return
-    roots = [part for part in case.parts if part.food.is_a(*word_list("is fried for a sauce"))]
-    roots = [part for part in roots if _DONE.isdisjoint(part.done)]
-    if roots and any(part.food.is_a(*word_list("is simmered to a sauce")) for part in case.parts):
+    roots = [part for part in _of_kind(case, "is fried for a sauce") if _DONE.isdisjoint(part.done)]
+    if roots and _of_kind(case, "is simmered to a sauce"):
         yield Finding("K5", f"a sauce with raw {roots[0].name}, and nothing in it was heated", None, (goal,))
+
+
+def _of_kind(case: Case, listed: str) -> list[Part]:
+    """Return the parts of the dish that are of a kind in the list of words called ``listed``."""
+    return [part for part in case.parts if part.food.is_a(*word_list(listed))]
+
+
+def _is_raw_sauce(case: Case, goal: ObjectNode) -> bool:
+    """Whether a sauce is one that is eaten raw, by its name or by what is in it."""
+    called = (*words(case.title), *words(goal.label))
+    return not word_list("is a raw sauce").isdisjoint(called) or bool(_of_kind(case, "makes a raw sauce"))
 
 
 def _baked(case: Case) -> bool:
@@ -202,16 +221,23 @@ def asked(case: Case) -> Iterator[Finding]:
         return
     yield from _unparted(case)
     beside = _for_serving(case)
-    mixing = [part.mixed for part in case.parts if part.mixed is not None]
     for food in sorted(case.required_names):
         parts = _parts_of(case, food)
-        if not parts and not was_taken_out(case, food):
-            yield Finding("K6", f"{food} was asked for and is not in the dish", None, (case.goal,) if case.goal else ())
+        if not parts:
+            if not was_taken_out(case, food):
+                nodes = (case.goal,) if case.goal else ()
+                yield Finding("K6", f"{food} was asked for and is not in the dish", None, nodes)
         elif food in beside:
-            if parts and _is_cooked_for_nothing(parts):
+            if _is_cooked_for_nothing(parts):
                 yield Finding("K6", f"{food} is for serving and is cooked with the rest", parts[0].heated)
-        elif parts and mixing and all(_left_out(case, part, max(mixing)) for part in parts) and _mixes(case):
+        elif _is_left_out(case, parts):
             yield Finding("K6", f"{food} is not mixed with the rest", parts[0].joined)
+
+
+def _is_left_out(case: Case, parts: Sequence[Part]) -> bool:
+    """Whether all ``parts`` that there are of a food came to a mixed dish after the last mixing."""
+    mixing = [part.mixed for part in case.parts if part.mixed is not None]
+    return bool(mixing) and all(_left_out(case, part, max(mixing)) for part in parts) and _mixes(case)
 
 
 def _unparted(case: Case) -> Iterator[Finding]:
@@ -255,21 +281,24 @@ def _parts_of(case: Case, food: str) -> list[Part]:
 
 
 def _left_out(case: Case, part: Part, last: int) -> bool:
+    """Whether a part came to the dish after its ``last`` mixing, and is not of what is laid on or stirred in there."""
     if part.mixed == last or (part.mixed is not None and part.food.is_a("egg", "flour")):
         return False  # it came on with the mixture: batter into a greased tin, a pancake under its sauce
-    if part.joined is None or part.joined <= last:
+    if part.joined is None or part.joined <= last or part.food.is_a(*_COMES_LAST):
         return False
-    baked_on = any(h.does("dry") and h.number > part.joined for h in case.happenings)  # as what lies on a pizza
-    hot = any(part.heated is not None for part in case.parts)
-    drunk = not word_list("is drunk").isdisjoint(case.dish_types)
+    return not _is_baked_on(case, part.joined) and not _crowns(case, part)
+
+
+def _is_baked_on(case: Case, joined: int) -> bool:
+    """Whether something is in dry heat after the step at which a food came to it: so is what lies on a pizza."""
+    return any(happening.does("dry") and happening.number > joined for happening in case.happenings)
+
+
+def _crowns(case: Case, part: Part) -> bool:
+    """Whether a part lies on top of what is cooked, or of what is drunk."""
     crowns = word_list("lies on what is cooked") | word_list("lies on what is eaten with a spoon")
-    return (
-        not baked_on
-        and not ((hot or drunk) and part.food.is_a(*crowns))
-        and not part.food.is_a(
-            "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready", "dough", "starch"
-        )
-    )
+    drunk = not word_list("is drunk").isdisjoint(case.dish_types)
+    return part.food.is_a(*crowns) and (drunk or _was_hot(case))
 
 
 def _mixes(case: Case) -> bool:
@@ -280,97 +309,5 @@ def _mixes(case: Case) -> bool:
     for happening in case.happenings:
         for lump in happening.made:
             if table.food(lump.label).is_a("dough") and any(id(part) in own for part in lump.parts):
-                return True
-    return False
-
-
-def sense(case: Case) -> Iterator[Finding]:
-    """K7: what no cook would do: dough of cooked pasta, fat through a strainer, a misread word."""
-    yield from of_world("K7", case)
-    for happening in case.happenings:
-        yield from _dough(happening)
-        if happening.does("separate") and _strains(happening) and _all_fat(happening):
-            yield Finding("K7", "fat is poured through a strainer", happening.number, minor=True)
-        if happening.does("dry"):
-            yield from _ungreased(case, happening)
-    yield from never_lit(case)
-    yield from _misread(case)
-    yield from _drunk_in_pieces(case)
-    stirred = [part for part in case.parts if part.food.is_a("topping") and part.mixed is not None]
-    toppings = {part.name for part in stirred if part.fine < _GROUND}
-    if toppings:
-        yield Finding("K7", f"{names(toppings)} belongs on top and is stirred in", minor=True)
-
-
-def _drunk_in_pieces(case: Case) -> Iterator[Finding]:
-    """Yield the foods of a drink that had to be blended, where its name does not say that they lie in it."""
-    told = set(words(case.recipe.title or "")) if case.recipe else set()
-    other = word_list("is called by pieces in it") | word_list("is drunk hot")
-    if word_list("is drunk").isdisjoint(case.dish_types) or not told.isdisjoint(other):
-        return
-    kinds = frozenset[str]()
-    if any(part.food.is_a(*word_list("makes a blended drink")) for part in case.parts):
-        kinds |= word_list("is drunk blended")
-    if not any(part.food.is_a("spirit") for part in case.parts):
-        kinds |= word_list("is no drink until it is blended")
-    slices = word_list("is a slice on a glass")
-    mixed = [part for part in case.parts if part.mixed is not None and part.fine < _GROUND]
-    pieces = {part.name for part in mixed if part.food.is_a(*kinds) and not part.food.is_a(*slices)}
-    if pieces:
-        yield Finding("K7", f"{names(pieces)} is drunk in pieces", min(part.mixed or 0 for part in mixed))
-
-
-def _misread(case: Case) -> Iterator[Finding]:
-    """Yield asked foods whose word means something else in the state in which they were asked (pepper, stick, fat)."""
-    table = case.tables.foods
-    for wanted in sorted(set(case.required)):
-        name = singular(wanted.object)
-        if name not in table.homonyms or not wanted.state:
-            continue
-        meant = table.food(name, (wanted.state,)).kind
-        kinds = {part.food.kind for part in case.parts_by_name.get(name, ())}
-        if kinds and meant not in kinds:
-            yield Finding(
-                "K7", f"{wanted.object} ({wanted.state}) is {meant}, and it was taken for {min(kinds)}", minor=True
-            )
-
-
-def _dough(happening: Happening) -> Iterator[Finding]:
-    for lump in happening.made:
-        if lump.label.rpartition(" ")[2] in {"dough", "batter"}:
-            pasta = [part.name for part in lump.parts if part.food.is_a("dry starch") and "boil" in part.done]
-            if pasta:
-                yield Finding("K7", f"{lump.label} is made of cooked {pasta[0]}", happening.number)
-
-
-def _strains(happening: Happening) -> bool:
-    return any("strain" in vessel.row.can for vessel in happening.vessels)
-
-
-def _all_fat(happening: Happening) -> bool:
-    parts = [part for lump in happening.inputs for part in lump.parts]
-    return bool(parts) and all(part.food.is_a("fat") for part in parts)
-
-
-def _ungreased(case: Case, happening: Happening) -> Iterator[Finding]:
-    for vessel in happening.heated:
-        soft = [
-            lump
-            for lump in vessel.lumps
-            if lump.mixed and any(part.food.is_a("flour", "dough", "egg") for part in lump.parts)
-        ]
-        if soft and "bake" in vessel.row.can and not _is_greased(case, vessel, happening):
-            yield Finding("K7", f"the {vessel.label} is not greased", happening.number, minor=True)
-
-
-def _is_greased(case: Case, vessel: Vessel, until: Happening) -> bool:
-    for happening in case.happenings[: until.number + 1]:
-        for lump, _, now in happening.moved:
-            if now is vessel and lump.parts and all(part.food.is_a("fat", "flour") for part in lump.parts):
-                return True
-        for mention in (*happening.step.inputs, *happening.step.outputs):
-            said = case.read(mention.node)
-            told = " ".join((*mention.node.states, *mention.node.ingredients))
-            if said.label == vessel.label and any(word in told for word in ("greased", "paper", "foil", "floured")):
                 return True
     return False

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 
-from foon_kg.food import singular, words
+from foon_kg.food import Food, singular, words
 from foon_kg.food.parted import parts_asked
+from foon_kg.food.rows import State
 from foon_kg.food.told_states import in_turn
 from foon_kg.model import DISH_TYPES, ObjectNode
 from foon_kg.validation.case import Case, was_taken_out
@@ -61,15 +63,26 @@ def goal(case: Case) -> Iterator[Finding]:
 
 
 def _name(case: Case, node: ObjectNode) -> Iterator[Finding]:
-    label, types = singular(node.label), case.dish_types
-    bare = {singular(word) for dish_type in types or DISH_TYPES for word in (dish_type, *words(dish_type))}
-    products = case.foon.end_products if case.foon else {}
-    recorded = {singular(product) for t in types or products for product in products.get(t, ())}
-    if label not in recorded and not set(words(label)[-1:]) & bare:
+    """Yield that a goal is called as no end product of the FOON nor after its type, and what its name wants in it."""
+    types = case.dish_types
+    if not (_is_called_by_type(node.label, types or DISH_TYPES) or _is_recorded(case, node.label)):
         asked = f"of the dish type {types[0]}" if types else "of any dish type"
         yield Finding("C2", f"“{node.label}” is no end product {asked} in the FOON", case.last, (node,))
     for food in missing_namesakes(case, node.label):
         yield Finding("C2", f"it is called after {food}, which is not in it", case.last, (node,))
+
+
+def _is_called_by_type(label: str, types: Sequence[str]) -> bool:
+    """Whether the last word of a label is a dish type, or a word of one."""
+    bare = {singular(word) for dish_type in types for word in (dish_type, *words(dish_type))}
+    return not bare.isdisjoint(words(singular(label))[-1:])
+
+
+def _is_recorded(case: Case, label: str) -> bool:
+    """Whether a video of the FOON ends with a product of that label, of the dish types that the goal may be of."""
+    products = case.foon.end_products if case.foon else {}
+    types = case.dish_types or products
+    return singular(label) in {singular(product) for one in types for product in products.get(one, ())}
 
 
 def _one(node: ObjectNode | None) -> tuple[ObjectNode, ...]:
@@ -78,11 +91,10 @@ def _one(node: ObjectNode | None) -> tuple[ObjectNode, ...]:
 
 def purposeful(case: Case) -> Iterator[Finding]:
     """C3: each unit leads to the goal or closes what the tree opened; none twice, none idle; all is off at the end."""
-    units = case.tree.units
     seen: dict[tuple[object, ...], int] = {}
     last: dict[tuple[object, ...], int] = {}
     leads = _leads_to_the_end(case)
-    for place, unit in enumerate(units):
+    for place, unit in enumerate(case.tree.units):
         if not unit.new_outputs:
             yield Finding("C3", "all its outputs are among its inputs: it changes nothing", place)
         if unit.identity in seen and not _was_undone(case, last[unit.identity], place):
@@ -92,10 +104,14 @@ def purposeful(case: Case) -> Iterator[Finding]:
         if place not in leads and not case.happenings[place].does(*_CLOSES):
             yield Finding("C3", "nothing that it makes leads to the goal", place)
     if case.tree.level is None:
-        for vessels in case.world.supply.vessels.values():
-            for vessel in vessels:
-                if vessel.is_appliance and any(vessel.power.values()):
-                    yield Finding("C3", f"the {vessel.label} is still on at the end")
+        yield from _left_on(case)
+
+
+def _left_on(case: Case) -> Iterator[Finding]:
+    """Yield the appliances that are on after the last step."""
+    for vessel in chain.from_iterable(case.world.supply.vessels.values()):
+        if vessel.is_appliance and any(vessel.power.values()):
+            yield Finding("C3", f"the {vessel.label} is still on at the end")
 
 
 def _was_undone(case: Case, before: int, place: int) -> bool:
@@ -108,21 +124,21 @@ def _was_undone(case: Case, before: int, place: int) -> bool:
 
 
 def _leads_to_the_end(case: Case) -> set[int]:
+    """Return the places of the units that the goal needs: what they make is taken by such a unit, or is in the dish."""
     units = case.tree.units
     last = case.last if case.last is not None else len(units) - 1
     leads = {last}
     inside = {id(part) for part in case.parts}
     for place in reversed(range(len(units))):
-        if place == last:
-            continue
-        happening = case.happenings[place]
-        takers = (taker for node in units[place].new_outputs for taker in case.tree.takers.get(node, ()))
-        if any(taker > place and taker in leads for taker in takers) or _serves(happening, inside, place < last):
+        takers = {taker for node in units[place].new_outputs for taker in case.tree.takers.get(node, ())}
+        taken = any(taker > place for taker in takers & leads)
+        if taken or _serves(case.happenings[place], inside, before_the_end=place < last):
             leads.add(place)
     return leads
 
 
-def _serves(happening: Happening, inside: set[int], before_the_end: bool) -> bool:  # noqa: FBT001
+def _serves(happening: Happening, inside: set[int], *, before_the_end: bool) -> bool:
+    """Whether a step works on what is in the dish, by the identities of its parts, or makes a later step possible."""
     lumps = [*happening.outputs.values(), *(lump for lump, _, _ in happening.moved)]
     if any(id(part) in inside for lump in lumps for part in lump.parts):
         return True
@@ -133,21 +149,37 @@ def complete(case: Case) -> Iterator[Finding]:
     """C4: every required food is in the goal by identity; it had its asked state, or it is told how that was read."""
     if case.tree.error is not None:
         return
-    declared = {(singular(e.object), e.required) for e in case.tree.substitutions or () if e.kind == "state"}
-    declared |= {(singular(e.object), e.equivalent) for e in case.tree.substitutions or () if e.kind == "state"}
-    shown: dict[str, set[str]] = {}
-    for node in case.tree.nodes:
-        shown.setdefault(singular(node.label), set()).update(node.states)
+    shown = _shown_states(case)
     for wanted in sorted(set(case.required)):
         food = singular(wanted.object)
-        told = {state for name, state in declared if name == food}
+        told = _declared_states(case, food)
         for state in in_turn(wanted.state) or ("",):
-            is_shown = food in shown and (not state or state in shown[food] | _shown_of_parts(case, food, state, shown))
-            if not is_shown and state not in told:
+            if state not in told and not _is_shown(case, food, state, shown):
                 so = f" in the state “{state}”" if state else ""
                 yield Finding("C4", f"no node of the tree is {wanted.object}{so}, as required")
         if food not in case.parts_by_name and not was_taken_out(case, food):
             yield Finding("C4", f"{wanted.object} is required and is not in the goal", None, _one(case.goal))
+
+
+def _shown_states(case: Case) -> dict[str, set[str]]:
+    """Return all states in which nodes of the tree show each object."""
+    shown: dict[str, set[str]] = {}
+    for node in case.tree.nodes:
+        shown.setdefault(singular(node.label), set()).update(node.states)
+    return shown
+
+
+def _declared_states(case: Case, food: str) -> set[str]:
+    """Return the states of a food for which the tree says as what it read them, with those as which it did."""
+    entries = [entry for entry in case.tree.substitutions or () if entry.kind == "state"]
+    return {state for one in entries if singular(one.object) == food for state in (one.required, one.equivalent)}
+
+
+def _is_shown(case: Case, food: str, state: str, shown: Mapping[str, set[str]]) -> bool:
+    """Whether nodes show a food in a state; of one that is asked in its two parts they may show both of these so."""
+    if food not in shown:
+        return False
+    return not state or state in shown[food] or state in _shown_of_parts(case, food, state, shown)
 
 
 def _shown_of_parts(case: Case, food: str, state: str, shown: Mapping[str, set[str]]) -> set[str]:
@@ -215,19 +247,28 @@ def _keeps_food(said: Said) -> bool:
 
 
 def _food_fault(case: Case, said: Said) -> str:
-    place = said.place_utensil
-    if place is not None and place.role != "place" and not place.always_on and not place.keeps_food:
+    """Return why a kitchen has no food as a leaf says; nothing where it has."""
+    if _is_put_somewhere(said):
         return f"it is in the {said.place} before anybody put it there"
     facts = case.tables.foods.food(said.label, said.node.states)
     if facts.is_a("made", "dough") and said.names - {said.label}:
         return "it is made of other foods, and nobody made it"
     for state in said.node.states:
         row = case.tables.state(state)
-        if "[" in state or row.sold or (row.sold_for and facts.is_a(*row.sold_for)) or facts.sold_as == state:
-            continue
-        if row.earns or row.fine or row.half:
+        if "[" not in state and (row.earns or row.fine or row.half) and not _is_sold_so(facts, state, row):
             return f"it is {state} before anybody made it so"
     return ""
+
+
+def _is_put_somewhere(said: Said) -> bool:
+    """Whether a food is told in a vessel or tool, into which somebody has to put it."""
+    place = said.place_utensil
+    return place is not None and place.role != "place" and not place.always_on and not place.keeps_food
+
+
+def _is_sold_so(facts: Food, state: str, row: State) -> bool:
+    """Whether a shop sells a food in a state: any food, its kind, or itself."""
+    return row.sold or facts.sold_as == state or (bool(row.sold_for) and facts.is_a(*row.sold_for))
 
 
 def _assumptions(case: Case) -> Iterator[Finding]:
@@ -242,11 +283,13 @@ def _assumptions(case: Case) -> Iterator[Finding]:
 
 
 def _could_be_made(case: Case, node: ObjectNode) -> Iterator[Finding]:
+    """Yield the states that a food is assumed to be in and that a unit of the FOON gives it, or one of its kind."""
     label = singular(node.label)
     kind = case.tables.foods.food(label).kind
+    operators = case.foon.operators if case.foon is not None else ()
     for state in node.states:
         row = case.tables.state(state)
-        if row.sold or not (row.earns or row.fine) or case.foon is None:
+        if row.sold or not (row.earns or row.fine):
             continue
-        if (label, state) in case.foon.operators or (kind != "unknown" and (kind, state) in case.foon.operators):
+        if (label, state) in operators or (kind != "unknown" and (kind, state) in operators):
             yield Finding("C6", f"it is assumed to be {state}, and FOON has an operator for such a food", None, (node,))

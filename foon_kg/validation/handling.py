@@ -38,13 +38,17 @@ def too_hard(case: Case) -> Iterator[Finding]:
     for happening in case.happenings:
         if happening.does("grate"):
             yield from _grated_small(happening)
-        if not happening.does("cut") or happening.does(*_MILLS):
-            continue
-        before = {state for mention in happening.step.inputs for state in mention.node.states}
-        for node, lump in happening.outputs.items():
-            fine = any((case.tables.state(state).fine or 0) >= _AS_POWDER for state in set(node.states) - before)
-            if fine and not all(part.food.is_a(*word_list("is soft enough for a knife")) for part in lump.parts):
-                yield Finding("W4", f"{lump.label} is too hard to be ground by a knife", happening.number, (node,))
+        if happening.does("cut") and not happening.does(*_MILLS):
+            yield from _ground_by_a_knife(happening, case)
+
+
+def _ground_by_a_knife(happening: Happening, case: Case) -> Iterator[Finding]:
+    """Yield each food that a cut is said to make as fine as powder and that is not soft."""
+    before = {state for mention in happening.step.inputs for state in mention.node.states}
+    for node, lump in happening.outputs.items():
+        soft = all(part.food.is_a(*word_list("is soft enough for a knife")) for part in lump.parts)
+        if not soft and _finest(set(node.states) - before, case) >= _AS_POWDER:
+            yield Finding("W4", f"{lump.label} is too hard to be ground by a knife", happening.number, (node,))
 
 
 def coarser(case: Case) -> Iterator[Finding]:

@@ -41,8 +41,12 @@ def honest(case: Case) -> Iterator[Finding]:
             yield Finding("C7", f"substitution {place}, {_told(entry)}, is there twice")
         elif not _is_used(case, entry, named):
             yield Finding("C7", f"substitution {place}, {_told(entry)}: no unit uses it")
-    if case.foon is None:
-        return
+    if case.foon is not None:
+        yield from _untold(case)
+
+
+def _untold(case: Case) -> Iterator[Finding]:
+    """Yield the units whose evidence is no food like theirs and that do not say by what they are grounded."""
     for place, unit in enumerate(case.tree.units):
         if unit.seen_in and _nearest(case, unit) > Grounding.LIKE and unit.grounding is None:
             foods = ", ".join(sorted(_facts(case, unit).inputs)) or "nothing"
@@ -50,6 +54,7 @@ def honest(case: Case) -> Iterator[Finding]:
 
 
 def _incomplete(entry: Substitution) -> Iterator[str]:
+    """Yield what an entry does not say, or says wrongly."""
     if entry.kind not in KINDS:
         yield f"its kind is “{entry.kind}”, not {', '.join(KINDS)}"
     if not entry.required:
@@ -62,6 +67,10 @@ def _incomplete(entry: Substitution) -> Iterator[str]:
         yield "it has no confidence between 0 and 1"
     if not entry.object:
         yield "it does not name its object"
+    yield from _incomplete_alternatives(entry)
+
+
+def _incomplete_alternatives(entry: Substitution) -> Iterator[str]:
     if "alternatives" in entry.untold:
         yield "it has no list of alternatives"
     elif any(not other.name or other.untold for other in entry.alternatives):
@@ -105,16 +114,27 @@ def _explained(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:
 
 
 def _differs(case: Case, place: int, unit: TreeUnit, source: FunctionalUnit) -> Iterator[Finding]:
+    """Yield in what a unit differs from the one of the FOON that it names, where the tree does not say so."""
+    mine, theirs = _facts(case, unit), _facts(case, source)
     if unit.motion != source.motion and not _declared(case, "motion", unit.motion, source.motion):
         yield Finding("C8", f"the unit it names does “{source.motion}”", place)
-    alone = nearness(case, unit, source) is Grounding.MOTION and _facts(case, unit).inputs
+    alone = nearness(case, unit, source) is Grounding.MOTION and mine.inputs
     if alone and unit.grounding != Grounding.MOTION.word:
-        theirs = ", ".join(sorted(_facts(case, source).inputs)) or "no food"
-        yield Finding("C8", f"the unit it names works on {theirs}, of another kind", place)
-    for tool in sorted(_facts(case, unit).tools - _facts(case, source).tools):
-        theirs_too = _facts(case, source).tools
-        if theirs_too and not any(_declared(case, "tool", tool, other) for other in theirs_too):
-            yield Finding("C8", f"the unit it names uses no {tool}", place)
+        foods = ", ".join(sorted(theirs.inputs)) or "no food"
+        yield Finding("C8", f"the unit it names works on {foods}, of another kind", place)
+    for tool in _undeclared_tools(case, mine.tools, theirs.tools):
+        yield Finding("C8", f"the unit it names uses no {tool}", place)
+
+
+def _undeclared_tools(case: Case, mine: frozenset[str], theirs: frozenset[str]) -> list[str]:
+    """Return the tools of a unit that its source has not, nor any for which the tree says it stands; sorted.
+
+    A source without tools is no evidence: many videos do not tell with what something is done.
+    """
+    if not theirs:
+        return []
+    others = sorted(mine - theirs)
+    return [tool for tool in others if not any(_declared(case, "tool", tool, other) for other in theirs)]
 
 
 def _claims(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:

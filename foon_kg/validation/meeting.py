@@ -14,22 +14,27 @@ from foon_kg.world import Happening, Lump, Part, Vessel
 
 def hot_on_cold(case: Case) -> Iterator[Finding]:
     """Yield a finding for what comes hot to leaves or to what is creamy in a cold dish: it did not cool before."""
-    title = words(case.recipe.title or "") if case.recipe else ()
-    dressed = any(dish.dressed for dish in case.tables.dishes_named(*case.dish_types))
-    if not dressed or not word_list("is eaten warm").isdisjoint(title):
+    if not _is_dressed_cold(case):
         return
     cold = [part for part in case.parts if part.heated is None and part.food.is_a(*word_list("suffers from heat"))]
-    hot = [part for part in case.parts if part.heated is not None and not part.food.is_a(*word_list("only flavours"))]
-    for part in hot:
-        meets = [max(part.joined or 0, other.joined or 0) for other in cold]
-        if any(not _has_cooled(part, meeting) for meeting in meets):
+    for part in case.parts:
+        met_hot = any(not _has_cooled(part, other) for other in cold)
+        if met_hot and not part.food.is_a(*word_list("only flavours")):
             yield Finding("K3", f"{part.name} comes hot to {cold[0].name}", part.joined, minor=True)
 
 
-def _has_cooled(part: Part, meeting: int) -> bool:
-    """Whether a food cooled between its last heating and the step at which it meets another."""
-    heated, cooled = part.heated, part.cooled
-    return heated is not None and cooled is not None and heated < cooled <= meeting
+def _is_dressed_cold(case: Case) -> bool:
+    """Whether a dish is of a type that is dressed, and its title calls it by nothing that is eaten warm."""
+    dressed = any(dish.dressed for dish in case.tables.dishes_named(*case.dish_types))
+    return dressed and word_list("is eaten warm").isdisjoint(words(case.title))
+
+
+def _has_cooled(part: Part, other: Part) -> bool:
+    """Whether a food cooled between its last heating and the step at which it met another, or was never hot."""
+    meeting = max(part.joined or 0, other.joined or 0)
+    if part.heated is None:
+        return True
+    return part.cooled is not None and part.heated < part.cooled <= meeting
 
 
 def lumpy(case: Case) -> Iterator[Finding]:

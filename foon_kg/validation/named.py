@@ -12,13 +12,19 @@ from foon_kg.world import Happening, Part
 
 def unheeded(case: Case) -> Iterator[Finding]:
     """Yield a finding for each word of the title that names what no step does; minor where the tree says so itself."""
-    if case.recipe is None or not case.recipe.title or case.goal is None:
+    if case.recipe is None or not case.title or case.goal is None:
         return
     foods = [(wanted.object, case.tables.foods.food(wanted.object, (wanted.state,))) for wanted in case.required]
-    for one, said in named_by(case.recipe.title, case.recipe.dish_type, foods):
-        if not any(_is_done_to(case, one, part) for part in case.parts if one.is_of(part.name, part.food)):
-            told = any(f"“{said}”" in entry.why for entry in case.tree.assumptions or ())
-            yield Finding("K5", f"the title says “{said}”, and no step does it", None, (case.goal,), minor=told)
+    for one, said in named_by(case.title, case.recipe.dish_type, foods):
+        meant = [part for part in case.parts if one.is_of(part.name, part.food)]
+        if not any(_is_done_to(case, one, part) for part in meant):
+            minor = _is_told(case, said)
+            yield Finding("K5", f"the title says “{said}”, and no step does it", None, (case.goal,), minor=minor)
+
+
+def _is_told(case: Case, said: str) -> bool:
+    """Whether the tree says why it does not what a word of the title names."""
+    return any(f"“{said}”" in entry.why for entry in case.tree.assumptions or ())
 
 
 def _is_done_to(case: Case, one: Named, part: Part) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
+from itertools import islice
 
 from foon_kg.validation.report import Finding
 
@@ -22,22 +23,28 @@ def repeatable(results: Sequence[object]) -> tuple[Finding, ...]:
 
 
 def _first_difference(one: object, other: object, where: str) -> Iterator[str]:
+    """Yield the place of the first thing in which two JSON values differ; ``where`` is that of the values."""
     if isinstance(one, dict) and isinstance(other, dict):
-        for name in sorted(one.keys() | other.keys()):
-            if name not in one or name not in other:
-                yield f"{where}.{name}".lstrip(".")
-                return
-            found = next(_first_difference(one[name], other[name], f"{where}.{name}"), None)
-            if found:
-                yield found
-                return
+        yield from islice(_differing_fields(one, other, where), 1)
     elif isinstance(one, list) and isinstance(other, list):
-        for place, (left, right) in enumerate(zip(one, other, strict=False)):
-            found = next(_first_difference(left, right, f"{where}[{place}]"), None)
-            if found:
-                yield found
-                return
-        if len(one) != len(other):
-            yield f"the length of {where.lstrip('.')}"
+        yield from islice(_differing_items(one, other, where), 1)
     elif json.dumps(one) != json.dumps(other):
         yield where.lstrip(".")
+
+
+def _differing_fields(one: dict[str, object], other: dict[str, object], where: str) -> Iterator[str]:
+    """Yield the places of the fields in which two objects differ, by their names."""
+    for name in sorted(one.keys() | other.keys()):
+        inside = f"{where}.{name}"
+        if name in one and name in other:
+            yield from _first_difference(one[name], other[name], inside)
+        else:
+            yield inside.lstrip(".")
+
+
+def _differing_items(one: list[object], other: list[object], where: str) -> Iterator[str]:
+    """Yield the places of the items in which two lists differ, and last that one of them is longer."""
+    for place, (left, right) in enumerate(zip(one, other, strict=False)):
+        yield from _first_difference(left, right, f"{where}[{place}]")
+    if len(one) != len(other):
+        yield f"the length of {where.lstrip('.')}"

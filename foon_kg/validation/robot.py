@@ -7,13 +7,19 @@ from itertools import pairwise
 
 from foon_kg.validation.case import Case, was_taken_out
 from foon_kg.validation.report import Finding
-from foon_kg.world import Happening, Lump, Vessel
+from foon_kg.world import Happening, Lump, Part, Vessel
 from foon_kg.world.reading import Said
 
 MOST_WAITING = 4
 """How many units may prepare other food while food waits in a hot vessel."""
 
 _GRINDS = frozenset({"grind", "blend", "grate"})
+
+_WORKS_IN_PLACE = (
+    "mix", "heat", "blend", "knead", "shape", "turn", "close", "attach", "detach", "coat", "switch on",
+    "cut", "grate", "grind", "peel", "open", "press",
+)  # fmt: skip
+"""What a motion that moves things may do besides, so that nothing has to come to another place."""
 
 
 def of_world(rule: str, case: Case) -> Iterator[Finding]:
@@ -37,40 +43,43 @@ def idle(case: Case) -> Iterator[Finding]:
 
 
 def _moves_nothing(happening: Happening) -> bool:
-    if happening.does(
-        "mix", "heat", "blend", "knead", "shape", "turn", "close", "attach", "detach", "coat", "switch on"
-    ):
+    """Whether a step brings nothing to another place, and its motion does not do something else as well."""
+    if happening.does(*_WORKS_IN_PLACE) or happening.moved or happening.vessels_moved:
         return False
-    joined = happening.made and len(happening.inputs) > 1  # a sandwich is laid together where its bread lies
-    if happening.moved or happening.vessels_moved or joined:
-        return False
-    return not happening.does("cut", "grate", "grind", "peel", "open", "press")
+    return not (happening.made and len(happening.inputs) > 1)  # a sandwich is laid together where its bread lies
 
 
 def _can(happening: Happening, abilities: frozenset[str]) -> bool:
-    for vessel in happening.vessels:
-        place: Vessel | None = vessel
-        while place is not None:
-            if not place.row.can.isdisjoint(abilities):
-                return True
-            place = place.where
+    """Whether a vessel or tool of a step can do one of these, or what it stands on, or that in which an input is."""
+    if any(not place.row.can.isdisjoint(abilities) for vessel in happening.vessels for place in vessel.stack()):
+        return True
     return any(lump.where is not None and not lump.where.row.can.isdisjoint(abilities) for lump in happening.inputs)
 
 
 def _cut_for_nothing(case: Case) -> Iterator[Finding]:
+    """Yield each food that is cut and of which nothing is in the dish."""
     if case.dish is None:
         return
-    inside = {id(part) for part in case.parts}
-    origins = {(part.name, part.taken) for part in case.parts}
     for happening in case.happenings:
-        if not happening.does("cut", "grate"):
-            continue
-        for lump in happening.treated:
-            lost = [p for p in lump.parts if id(p) not in inside and (p.name, p.taken) not in origins and not p.remains]
-            lost = [part for part in lost if not was_taken_out(case, part.name)]
-            if lost and not any(id(part) in inside for part in lump.parts):
-                reason = f"{lost[0].name} is prepared and is not in the dish"
-                yield Finding("W4", reason, happening.number, minor=True)
+        for lump in happening.treated if happening.does("cut", "grate") else ():
+            lost = _lost_part(case, lump)
+            if lost is not None:
+                yield Finding("W4", f"{lost.name} is prepared and is not in the dish", happening.number, minor=True)
+
+
+def _lost_part(case: Case, lump: Lump) -> Part | None:
+    """Return a part of a food that is not in the dish and ought to be; ``None`` where any part of it is."""
+    inside = {id(part) for part in case.parts}
+    if any(id(part) in inside for part in lump.parts):
+        return None
+    origins = {(part.name, part.taken) for part in case.parts}
+    others = (part for part in lump.parts if (part.name, part.taken) not in origins)
+    return next((part for part in others if not _is_missed_by_nobody(case, part)), None)
+
+
+def _is_missed_by_nobody(case: Case, part: Part) -> bool:
+    """Whether a part need not be in the dish: nobody eats it, or it gave its taste and was taken out."""
+    return part.remains or was_taken_out(case, part.name)
 
 
 def _moved_for_nothing(case: Case) -> Iterator[Finding]:
@@ -78,14 +87,18 @@ def _moved_for_nothing(case: Case) -> Iterator[Finding]:
     for earlier, happening in pairwise(case.happenings):
         if not (_only_moved(earlier) and _only_moved(happening)):
             continue
-        brought = {id(lump) for lump, _, now in earlier.moved if now is not None}
-        for lump, before, _ in sorted(happening.moved, key=lambda row: row[0].label):
-            if id(lump) in brought and before in happening.emptied and _serves_nothing(before, lump):
-                reason = (
-                    f"{lump.label} was put into the {before.label if before else 'hand'} only to be taken out again"
-                )
+        for lump, place in _moved_on(earlier, happening):
+            if place in happening.emptied and _serves_nothing(place, lump):
+                reason = f"{lump.label} was put into the {place.label} only to be taken out again"
                 yield Finding("W4", reason, happening.number, minor=True)
                 return
+
+
+def _moved_on(earlier: Happening, later: Happening) -> list[tuple[Lump, Vessel]]:
+    """Return the foods that two steps both move, by name, each with the place out of which the later one takes it."""
+    brought = {id(lump) for lump, _, now in earlier.moved if now is not None}
+    again = [(lump, before) for lump, before, _ in later.moved if id(lump) in brought and before is not None]
+    return sorted(again, key=lambda row: row[0].label)
 
 
 def never_lit(case: Case) -> Iterator[Finding]:
@@ -107,35 +120,43 @@ def _only_moved(happening: Happening) -> bool:
     return happening.motion.does <= {"move", "fetch", "scatter"}
 
 
-def _serves_nothing(place: Vessel | None, lump: Lump) -> bool:
+def _serves_nothing(place: Vessel, lump: Lump) -> bool:
     """Whether a food was in a place to no purpose: nothing measures, carries, holds others or cools there."""
-    if place is None or lump.made or place.row.role != "vessel":
+    if lump.made or place.row.role != "vessel":
         return False
     return place.row.can.isdisjoint({"measure", "strain", "cut", "heat", "bake"})
 
 
 def order(case: Case) -> Iterator[Finding]:
     """W5: food waits in a hot vessel; food is fried without fat; water is fetched while something waits in the heat."""
-    waiting: dict[int, int] = {}
-    told: set[int] = set()
+    waits = _Waits()
     for happening in case.happenings:
-        hot = happening.hot
-        used = {id(vessel) for vessel in (*happening.vessels, *happening.heated)}
-        for vessel in hot:
-            key = id(vessel)
-            if key in used or key in {id(v) for _, _, v in happening.moved if v is not None}:
-                waiting[key] = 0
-            elif _prepares(happening):
-                waiting[key] = waiting.get(key, 0) + 1
-                if waiting[key] > MOST_WAITING and key not in told:
-                    told.add(key)
-                    reason = f"what is in the {vessel.label} waits in the heat while other food is prepared"
-                    yield Finding("W5", reason, happening.number, minor=True)
-        for key in set(waiting) - {id(vessel) for vessel in hot}:
-            del waiting[key]
-        if hot and _fetches_water(happening):
+        for vessel in waits.too_long(happening):
+            reason = f"what is in the {vessel.label} waits in the heat while other food is prepared"
+            yield Finding("W5", reason, happening.number, minor=True)
+        if happening.hot and _fetches_water(happening):
             yield Finding("W5", "water is fetched while something waits in the heat", happening.number, minor=True)
         yield from _fried_dry(happening)
+
+
+class _Waits:
+    """For how many steps each hot vessel has waited while other food was prepared, and which of them were told."""
+
+    def __init__(self) -> None:
+        self.steps: dict[int, int] = {}
+        self.told: set[int] = set()
+
+    def too_long(self, happening: Happening) -> Iterator[Vessel]:
+        """Count a step, and yield each vessel that has waited too long with it, each once."""
+        moved_to = [now for _, _, now in happening.moved if now is not None]
+        touched = {id(vessel) for vessel in (*happening.vessels, *happening.heated, *moved_to)}
+        more = int(_prepares(happening))
+        hot = {id(vessel): vessel for vessel in happening.hot}
+        self.steps = {key: 0 if key in touched else self.steps.get(key, 0) + more for key in hot}
+        for key, vessel in hot.items():
+            if self.steps[key] > MOST_WAITING and key not in self.told:
+                self.told.add(key)
+                yield vessel
 
 
 def _prepares(happening: Happening) -> bool:
@@ -151,13 +172,9 @@ def _fetches_water(happening: Happening) -> bool:
 
 
 def _fried_dry(happening: Happening) -> Iterator[Finding]:
-    if not happening.does("fat"):
-        return
-    for vessel in happening.heated:
+    """Yield the vessels in which a step fries food, with nothing in them that keeps this from the metal."""
+    for vessel in happening.heated if happening.does("fat") else ():
         parts = [part for lump in vessel.lumps for part in lump.parts]
-        if (
-            vessel.row.role == "vessel"
-            and parts
-            and not any(part.food.is_a("fat", "meat", "fish", "liquid", "creamy") for part in parts)
-        ):
+        wet = any(part.food.is_a("fat", "meat", "fish", "liquid", "creamy") for part in parts)
+        if vessel.row.role == "vessel" and parts and not wet:
             yield Finding("W5", f"it is fried in a dry {vessel.label}", happening.number, minor=True)

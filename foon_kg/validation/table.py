@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Level, singular, words
 from foon_kg.food.bites import is_eaten_by_bites
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Dish
+from foon_kg.model import ObjectNode
 from foon_kg.validation.case import Case
 from foon_kg.validation.meeting import hot_on_cold, lumpy
 from foon_kg.validation.report import Finding
@@ -34,36 +36,62 @@ _WHOLE = {
 
 
 def raw(case: Case) -> Iterator[Finding]:
-    """K1: what must be cooked is cooked by a unit, and dry starch in a liquid."""
-    title = case.recipe.title or "" if case.recipe else ""
-    called = [dish for dish in case.tables.dishes_named(title) if not dish.is_type]
-    eaten_raw = frozenset(kind for dish in called for kind in dish.raw)
-    types = set(case.dish_types) & word_list("may hold raw egg") if title else case.dish_types
-    eased = frozenset(kind for dish in (*case.tables.dishes_named(*types), *called) for kind in dish.eases)
-    bound = bool(title) and not word_list("holds no raw egg").isdisjoint(case.dish_types)
-    for part in case.parts:
-        if part.remains or part.untold or part.food.is_a(*eaten_raw):
-            continue
-        for treatment in ("cook", "boil"):
-            level = part.food.owes.get(treatment)
-            if level in {None, Level.ADVICE} or treatment in part.done:
-                continue
-            minor = part.food.is_a(*eased) or (level is Level.MINOR and not (bound and part.food.is_a("egg")))
+    """K1: what must be cooked is cooked by a unit of the tree of ``case``, and dry starch in a liquid."""
+    called = [dish for dish in case.tables.dishes_named(case.title) if not dish.is_type]
+    eased = _eased(case, called)
+    for part in _eaten_cooked(case, called):
+        for treatment, level in _owed_heat(case, part):
             how = "in enough liquid" if treatment == "boil" else "at all"
+            minor = level is Level.MINOR or part.food.is_a(*eased)
             yield Finding("K1", f"{part.name} is in the dish and was not cooked {how}", minor=minor)
     yield from _never_hot(case)
+
+
+def _eaten_cooked(case: Case, called: Sequence[Dish]) -> list[Part]:
+    """Return the parts of the dish that nobody eats raw, in a dish that is ``called`` so."""
+    eaten_raw = frozenset(kind for dish in called for kind in dish.raw)
+    told = [part for part in case.parts if not part.untold and not part.remains]
+    return [part for part in told if not part.food.is_a(*eaten_raw)]
+
+
+def _eased(case: Case, called: Sequence[Dish]) -> frozenset[str]:
+    """Return the kinds of food that may be raw without being fatal: by the dish's type, and by what it is ``called``.
+
+    A title says more than the type: where there is one, only a type that may hold raw egg eases anything.
+    """
+    types = set(case.dish_types) & word_list("may hold raw egg") if case.title else case.dish_types
+    return frozenset(kind for dish in (*case.tables.dishes_named(*types), *called) for kind in dish.eases)
+
+
+def _may_not_be_raw_egg(case: Case, part: Part) -> bool:
+    """Whether a part is egg in a dish with a title, of a type that holds no raw egg."""
+    return bool(case.title) and part.food.is_a("egg") and not word_list("holds no raw egg").isdisjoint(case.dish_types)
+
+
+def _owed_heat(case: Case, part: Part) -> Iterator[tuple[str, Level]]:
+    """Yield the ways of cooking that a part of a food still needs, each with how bad it is to leave it out."""
+    for treatment in ("cook", "boil"):
+        level = part.food.owes.get(treatment)
+        if level is None or level is Level.ADVICE or treatment in part.done:
+            continue
+        yield treatment, Level.FATAL if _may_not_be_raw_egg(case, part) else level
 
 
 def _never_hot(case: Case) -> Iterator[Finding]:
     """Yield flour that nothing heated, whatever was stirred into it, and what was to make it rise."""
     ours = [part for part in case.parts if not part.remains and not part.untold]
-    flours = [part for part in ours if any(map(part.food.is_of, word_list("is raw flour")))]
-    leavens = [part for part in ours if flours and part.food.is_a("leaven")]
     dusts = any(part.food.is_a(*word_list("is dusted with starch")) for part in ours)
-    for part in [*flours, *(part for part in leavens if part not in flours)]:
-        dust = part.food.is_a("starch") and dusts
+    for part in _raised(ours):
+        dust = dusts and part.food.is_a("starch")
         if part.heated is None and not dust and not part.food.is_a(*word_list("is flour eaten raw")):
             yield Finding("K1", f"{part.name} is in the dish, and nothing heated it", part.joined)
+
+
+def _raised(parts: Sequence[Part]) -> list[Part]:
+    """Return those of ``parts`` that are flour, then what makes this rise, where there is any flour."""
+    flours = [part for part in parts if any(map(part.food.is_of, word_list("is raw flour")))]
+    leavens = [part for part in parts if part.food.is_a("leaven") and part not in flours]
+    return flours + leavens if flours else []
 
 
 def whole(case: Case) -> Iterator[Finding]:
@@ -72,26 +100,27 @@ def whole(case: Case) -> Iterator[Finding]:
         if part.remains:
             if not _asked_so(case, part):
                 yield Finding("K2", f"the remains of {part.name} are in the dish")
-            continue
-        if part.untold:
-            continue
-        for treatment, level in sorted(part.food.owes.items()):
-            if treatment not in _WHOLE or level is Level.ADVICE or _is_done(part, treatment):
-                continue
-            spread = part.fine > 0 and treatment in word_list("is spread by cutting")
-            yield Finding(
-                "K2", f"{part.name} is in the dish {_WHOLE[treatment]}", minor=level is Level.MINOR and not spread
-            )
-        if part.food.is_a(*word_list("is taken out of the dish")) and _is_left_in(case, part):
-            yield Finding("K2", f"{part.name} is in the dish, and nobody eats it", minor=True)
+        elif not part.untold:
+            yield from _untreated(part)
+            if part.food.is_a(*word_list("is taken out of the dish")) and _is_left_in(case, part):
+                yield Finding("K2", f"{part.name} is in the dish, and nobody eats it", minor=True)
     yield from _more_than_a_bite(case)
+
+
+def _untreated(part: Part) -> Iterator[Finding]:
+    """Yield what a part of a food needed before anybody eats it and did not get, heat apart."""
+    for treatment, level in sorted(part.food.owes.items()):
+        if treatment not in _WHOLE or level is Level.ADVICE or _is_done(part, treatment):
+            continue
+        spread = part.fine > 0 and treatment in word_list("is spread by cutting")
+        minor = level is Level.MINOR and not spread
+        yield Finding("K2", f"{part.name} is in the dish {_WHOLE[treatment]}", minor=minor)
 
 
 def _more_than_a_bite(case: Case) -> Iterator[Finding]:
     """Yield what is in halves that are more than a bite, in a dish that is eaten with a spoon or fork alone."""
-    title = case.recipe.title or "" if case.recipe else ""
-    told = [word for text in (*case.dish_types, title) for word in words(text)]
-    if not is_eaten_by_bites(told, case.tables.dishes_named(*case.dish_types, title)):
+    told = [word for text in (*case.dish_types, case.title) for word in words(text)]
+    if not is_eaten_by_bites(told, case.tables.dishes_named(*case.dish_types, case.title)):
         return
     for part in case.parts:
         if part.fine == _HALVED and part.food.is_a(*word_list("is more than a bite in halves")):
@@ -121,12 +150,7 @@ def _asked_so(case: Case, part: Part) -> bool:
 
 def late(case: Case) -> Iterator[Finding]:
     """K3: liquid after the last cooking; what is cooked beside what is eaten raw; what joins too hot, or too dry."""
-    cooked = [part.heated for part in case.parts if part.heated is not None]
-    hot = any(dish.heated for dish in case.tables.dishes_named(*case.dish_types))
-    if cooked and hot:
-        for part in case.parts:
-            if part.heated is None and (part.joined or part.taken) > max(cooked) and _needs_heat(part):
-                yield Finding("K3", f"{part.name} comes after the last cooking", part.joined, minor=True)
+    yield from _after_the_heat(case)
     yield from _cooked_too_much(case)
     for happening in case.happenings:
         yield from _peeled_hot(happening)
@@ -135,33 +159,52 @@ def late(case: Case) -> Iterator[Finding]:
     yield from lumpy(case)
 
 
+def _after_the_heat(case: Case) -> Iterator[Finding]:
+    """Yield the liquids of a hot dish that come to it when nothing is heated any more."""
+    heated = [part.heated for part in case.parts if part.heated is not None]
+    if not heated or not any(dish.heated for dish in case.tables.dishes_named(*case.dish_types)):
+        return
+    for part in filter(_needs_heat, case.parts):
+        if (part.joined or part.taken) > max(heated):
+            yield Finding("K3", f"{part.name} comes after the last cooking", part.joined, minor=True)
+
+
 def _killed(case: Case, happening: Happening) -> Iterator[Finding]:
     """Yield what makes dough rise where it is mixed with water that boiled and did not cool."""
     if not happening.does("mix", "knead"):
         return
-    boiling = word_list("is boiled water")
     nodes = [mention.node for mention in happening.step.inputs if case.is_food(mention.node)]
-    hot = any(not boiling.isdisjoint(node.states) and "cooled" not in node.states for node in nodes)
-    for node in nodes if hot else ():
+    if not any(_is_boiling(node) for node in nodes):
+        return
+    for node in nodes:
         food = case.tables.foods.food(node.label, node.states)
         if food.is_a(*word_list("makes dough rise")) and not food.is_a("flour"):
             yield Finding("K3", f"{node.label} is killed by boiling water", happening.number, (node,))
 
 
+def _is_boiling(node: ObjectNode) -> bool:
+    return "cooled" not in node.states and not word_list("is boiled water").isdisjoint(node.states)
+
+
 def _needs_heat(part: Part) -> bool:
-    return part.food.is_a("cooking liquid") and not part.food.is_a("creamy", "fat", "ready")
+    """Whether a part is a liquid in which something is cooked, and was never over heat."""
+    return part.heated is None and part.food.is_a("cooking liquid") and not part.food.is_a("creamy", "fat", "ready")
 
 
 def _cooked_too_much(case: Case) -> Iterator[Finding]:
+    """Yield leaves that are eaten raw, where they are over heat with what has to be cooked."""
     for happening in case.happenings:
-        if not happening.does("heat"):
-            continue
-        parts = [part for vessel in happening.heated for lump in vessel.lumps for part in lump.parts]
-        owing = [part for part in parts if part.food.owes.get("cook") is Level.FATAL]
-        leaves = sorted({part.name for part in parts if part.food.is_a("salad leaf")})
+        parts = _over_heat(happening) if happening.does("heat") else []
+        owing = [part.name for part in parts if part.food.owes.get("cook") is Level.FATAL]
+        leaves = [part.name for part in parts if part.food.is_a("salad leaf")]
         if owing and leaves:
-            reason = f"{leaves[0]} is cooked together with {owing[0].name}"
+            reason = f"{min(leaves)} is cooked together with {owing[0]}"
             yield Finding("K3", reason, happening.number, minor=True)
+
+
+def _over_heat(happening: Happening) -> list[Part]:
+    """Return the parts of all foods in the vessels that a step heats."""
+    return [part for vessel in happening.heated for lump in vessel.lumps for part in lump.parts]
 
 
 def _peeled_hot(happening: Happening) -> Iterator[Finding]:
@@ -181,10 +224,15 @@ def tools(case: Case) -> Iterator[Finding]:
     for happening in case.happenings:
         if happening.does("grate") and not _has(happening, "grate", "peel"):
             yield Finding("K4", "it is grated without grater, peeler or processor", happening.number)
-        lids = [node for node in happening.tools if _is_lid(case, node.label)]
-        others = [vessel for vessel in happening.vessels if vessel.row.role in {"tool", "appliance"}]
-        if lids and not others and happening.does("cut", "mix", "grate", "whip"):
-            yield Finding("K4", f"“{happening.step.motion}” with a lid", happening.number, (lids[0],))
+        if happening.does("cut", "mix", "grate", "whip"):
+            yield from _with_a_lid(case, happening)
+
+
+def _with_a_lid(case: Case, happening: Happening) -> Iterator[Finding]:
+    """Yield a step that has a lid, and no tool or appliance to do its work with."""
+    lids = [node for node in happening.tools if _is_lid(case, node.label)]
+    if lids and not any(vessel.row.role in {"tool", "appliance"} for vessel in happening.vessels):
+        yield Finding("K4", f"“{happening.step.motion}” with a lid", happening.number, (lids[0],))
 
 
 def _has(happening: Happening, *abilities: str) -> bool:

@@ -1,0 +1,129 @@
+"""What no cook would do (docs/contract.md, K7): dough of cooked pasta, fat through a strainer, a drink in pieces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from foon_kg.food import singular, words
+from foon_kg.food.lists import word_list
+from foon_kg.validation.case import Case, names
+from foon_kg.validation.report import Finding
+from foon_kg.validation.robot import never_lit, of_world
+from foon_kg.world import Happening, Lump, Part, Vessel
+
+_GROUND = 4
+"""As fine as this (crushed, grated), a topping binds what it is stirred into."""
+
+_LINED = ("greased", "paper", "foil", "floured")
+"""Words by which a node says that nothing sticks to a vessel."""
+
+
+def sense(case: Case) -> Iterator[Finding]:
+    """K7: what no cook would do: dough of cooked pasta, fat through a strainer, a misread word."""
+    yield from of_world("K7", case)
+    for happening in case.happenings:
+        yield from _dough(happening)
+        if happening.does("separate") and _strains(happening) and _all_fat(happening):
+            yield Finding("K7", "fat is poured through a strainer", happening.number, minor=True)
+        if happening.does("dry"):
+            yield from _ungreased(case, happening)
+    yield from never_lit(case)
+    yield from _misread(case)
+    yield from _drunk_in_pieces(case)
+    yield from _stirred_toppings(case)
+
+
+def _stirred_toppings(case: Case) -> Iterator[Finding]:
+    """Yield the toppings that are mixed into the dish in pieces."""
+    toppings = {part.name for part in _mixed_in_pieces(case) if part.food.is_a("topping")}
+    if toppings:
+        yield Finding("K7", f"{names(toppings)} belongs on top and is stirred in", minor=True)
+
+
+def _drunk_in_pieces(case: Case) -> Iterator[Finding]:
+    """Yield the foods of a drink that had to be blended, where its name does not say that they lie in it."""
+    kinds = _only_drunk_blended(case)
+    if not kinds:
+        return
+    mixed = _mixed_in_pieces(case)
+    pieces = [part for part in mixed if not part.food.is_a(*word_list("is a slice on a glass"))]
+    thick = {part.name for part in pieces if part.food.is_a(*kinds)}
+    if thick:
+        yield Finding("K7", f"{names(thick)} is drunk in pieces", min(part.mixed or 0 for part in mixed))
+
+
+def _mixed_in_pieces(case: Case) -> list[Part]:
+    return [part for part in case.parts if part.mixed is not None and part.fine < _GROUND]
+
+
+def _only_drunk_blended(case: Case) -> frozenset[str]:
+    """Return the kinds of food that are in pieces in no drink such as this one; none for what is no drink."""
+    pieces_told = word_list("is called by pieces in it") | word_list("is drunk hot")
+    if word_list("is drunk").isdisjoint(case.dish_types) or not pieces_told.isdisjoint(words(case.title)):
+        return frozenset()
+    kinds = frozenset[str]()
+    if any(part.food.is_a(*word_list("makes a blended drink")) for part in case.parts):
+        kinds |= word_list("is drunk blended")
+    if not any(part.food.is_a("spirit") for part in case.parts):
+        kinds |= word_list("is no drink until it is blended")
+    return kinds
+
+
+def _misread(case: Case) -> Iterator[Finding]:
+    """Yield asked foods whose word means something else in the state in which they were asked (pepper, stick, fat)."""
+    table = case.tables.foods
+    for wanted in sorted(set(case.required)):
+        name = singular(wanted.object)
+        if name not in table.homonyms or not wanted.state:
+            continue
+        meant = table.food(name, (wanted.state,)).kind
+        kinds = {part.food.kind for part in case.parts_by_name.get(name, ())}
+        if kinds and meant not in kinds:
+            yield Finding(
+                "K7", f"{wanted.object} ({wanted.state}) is {meant}, and it was taken for {min(kinds)}", minor=True
+            )
+
+
+def _dough(happening: Happening) -> Iterator[Finding]:
+    for lump in happening.made:
+        if lump.label.rpartition(" ")[2] in {"dough", "batter"}:
+            pasta = [part.name for part in lump.parts if part.food.is_a("dry starch") and "boil" in part.done]
+            if pasta:
+                yield Finding("K7", f"{lump.label} is made of cooked {pasta[0]}", happening.number)
+
+
+def _strains(happening: Happening) -> bool:
+    return any("strain" in vessel.row.can for vessel in happening.vessels)
+
+
+def _all_fat(happening: Happening) -> bool:
+    parts = [part for lump in happening.inputs for part in lump.parts]
+    return bool(parts) and all(part.food.is_a("fat") for part in parts)
+
+
+def _ungreased(case: Case, happening: Happening) -> Iterator[Finding]:
+    """Yield the moulds and trays in which a step bakes a dough or batter that sticks to them."""
+    for vessel in happening.heated:
+        sticks = "bake" in vessel.row.can and any(_sticks(lump) for lump in vessel.lumps)
+        if sticks and not _is_greased(case, vessel, happening):
+            yield Finding("K7", f"the {vessel.label} is not greased", happening.number, minor=True)
+
+
+def _sticks(lump: Lump) -> bool:
+    return lump.mixed and any(part.food.is_a("flour", "dough", "egg") for part in lump.parts)
+
+
+def _is_greased(case: Case, vessel: Vessel, until: Happening) -> bool:
+    """Whether fat came into a vessel up to a step, or a node says that it is greased or lined."""
+    for happening in case.happenings[: until.number + 1]:
+        if any(now is vessel and _greases(lump) for lump, _, now in happening.moved):
+            return True
+        for mention in (*happening.step.inputs, *happening.step.outputs):
+            told = " ".join((*mention.node.states, *mention.node.ingredients))
+            if any(word in told for word in _LINED) and case.read(mention.node).label == vessel.label:
+                return True
+    return False
+
+
+def _greases(lump: Lump) -> bool:
+    return bool(lump.parts) and all(part.food.is_a("fat", "flour") for part in lump.parts)
