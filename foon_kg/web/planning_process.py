@@ -5,14 +5,17 @@ from __future__ import annotations
 import signal
 import threading
 from collections.abc import Iterator
-from multiprocessing import get_context
+from multiprocessing import get_all_start_methods, get_context
 from multiprocessing.connection import Connection
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from foon_kg.planning.processes import collect_seldom, end_with_parent, keep_for_good
 from foon_kg.web.foon import Served
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.questions import BusyError, InternalError, Question, Reply, TooLongError
+
+if TYPE_CHECKING:
+    from multiprocessing.context import ForkServerContext, SpawnContext
 
 BEGINNING = 120.0
 """Seconds within which a process has to be ready: a FOON of 200,000 units takes it twenty."""
@@ -81,7 +84,7 @@ class PlanningProcess:
                 self._begin()
 
     def _begin(self) -> None:
-        context = get_context("spawn")
+        context = _beginning()
         self._line, theirs = context.Pipe()
         self._process = context.Process(target=_plan, args=(theirs, self._served), name="foon-planning", daemon=True)
         self._ready = False
@@ -91,6 +94,15 @@ class PlanningProcess:
     def _end(self) -> None:
         self._process.kill()
         self._process.join()
+
+
+def _beginning() -> ForkServerContext | SpawnContext:
+    """Return how a process begins: where it can be, as a copy of one that has made ready what no FOON changes."""
+    if "forkserver" not in get_all_start_methods():
+        return get_context("spawn")
+    context = get_context("forkserver")
+    context.set_forkserver_preload(["foon_kg.web.warm"])
+    return context
 
 
 def _plan(line: Connection[Any, Any], served: Served) -> None:

@@ -160,6 +160,19 @@ def test_a_service_that_ends_while_it_reads_leaves_no_process():
     assert not multiprocessing.active_children()
 
 
+@pytest.mark.skipif("forkserver" not in multiprocessing.get_all_start_methods(), reason="processes are not copied here")
+def test_the_processes_of_all_editions_are_copies_of_one():
+    foon = GrowingFoon(2)
+    parents = set()
+    with FoonService(foon, processes=2, patience=60) as service:
+        for count in (2, 3):
+            foon.grow(count)
+            service.summary()
+            parents |= {psutil.Process(child.pid).ppid() for child in multiprocessing.active_children()}
+    assert len(parents) == 1
+    assert os.getpid() not in parents
+
+
 def test_many_threads_get_the_same_answers():
     questions = [PlanQuestion("salad", (f"{state} onion",)) for state in ("chopped", "sliced", "diced")] * 4
     with FoonService(FixedFoon(demo_foon())) as service, ThreadPoolExecutor(8) as pool:
