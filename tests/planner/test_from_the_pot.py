@@ -118,7 +118,7 @@ def plan_of(snapshot, dish_type, **foods):
 
 
 def test_nothing_is_called_noodle_before_noodles_are_in_it_and_they_are_stirred_in(snapshot):
-    units = plan_of(snapshot, "noodle", oil="liquid", broccoli="chopped", **NOODLES)
+    units = plan_of(snapshot, "noodle", oil="liquid", broccoli="chopped", cream="liquid", **NOODLES)
     called = [node for unit in units for node in unit.output_nodes if node.label == "noodle" and node.ingredients]
     assert called
     assert all("noodle" in node.ingredients for node in called)
@@ -128,7 +128,10 @@ def test_nothing_is_called_noodle_before_noodles_are_in_it_and_they_are_stirred_
 
 def test_no_second_vessel_comes_onto_the_stove_beside_one_that_is_done(snapshot):
     rice = {"rice": "cooked", "oil": "liquid", "egg": "whipped", "parsnip": "diced", "garlic": "minced"}
-    for units in (plan_of(snapshot, "rice", **rice), plan_of(snapshot, "noodle", oil="liquid", **NOODLES)):
+    for units in (
+        plan_of(snapshot, "rice", **rice),
+        plan_of(snapshot, "noodle", oil="liquid", cream="liquid", **NOODLES),
+    ):
         there: set[int | None] = set()
         for unit in units:
             there -= {one.thing for one in unit.made if one.node.container != "stove"}

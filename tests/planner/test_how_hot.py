@@ -78,3 +78,37 @@ def test_water_is_for_the_grain_of_a_salad_or_thins_its_dressing(steps):
     )
     into = next(outputs for inputs, motion, outputs in thinned if {"water", "faucet"} <= inputs)
     assert all(set(node.ingredients) <= {"oil", "vinegar", "water"} for node in into)
+
+
+BROTH = "chicken:chopped", "onion:chopped", "carrot:chopped", "noodle:uncooked", "oil:liquid"
+
+
+@pytest.mark.parametrize(
+    ("title", "foods", "boiled"),
+    [
+        ("", ("stock:liquid",), {"stock"}),
+        ("", ("water:liquid", "soy sauce:liquid"), {"soy sauce"}),
+        ("Chicken Noodle Soup", ("broth:liquid",), {"broth"}),
+    ],
+)
+def test_noodles_are_boiled_in_the_broth_that_they_are_eaten_in(public_plans, title, foods, boiled):
+    units = public_plans("noodle", title, *BROTH, *foods).units
+    assert "strainer" not in {node.label for unit in units for node in unit.input_nodes}
+    (pot,) = {food for unit in units if "noodle" in {n.label for n in unit.input_nodes} and unit.motion == "pour"
+              for node in unit.output_nodes if node.label == "pot" for food in node.ingredients} & boiled  # fmt: skip
+    assert {pot} == boiled
+
+
+@pytest.mark.parametrize(
+    ("title", "foods"),
+    [
+        ("Chicken Lo Mein", ("stock:liquid", "soy sauce:liquid")),
+        ("", ("stock:liquid", "cream:liquid")),
+        ("", ("stock:liquid", "cheddar:shredded")),
+        ("", ("stock:liquid", "cornstarch:powder")),
+        ("", ("soy sauce:liquid",)),
+    ],
+)
+def test_noodles_with_a_sauce_are_boiled_by_themselves(public_plans, title, foods):
+    units = public_plans("noodle", title, *BROTH, *foods).units
+    assert "strainer" in {node.label for unit in units for node in unit.input_nodes}

@@ -23,7 +23,7 @@ from foon_kg.integration.composing.parts import Part, baked_at_last, with_parts
 from foon_kg.integration.composing.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.composing.poured_over import dressed_apart
 from foon_kg.integration.composing.pureed import blended_when_done, is_stewed, stewed
-from foon_kg.integration.composing.swelling import is_soaked_up
+from foon_kg.integration.composing.swelling import is_eaten_with_its_bath, is_soaked_up
 from foon_kg.integration.composing.techniques import as_a_way_says, carried_out
 from foon_kg.integration.composing.thickened import sauce_apart
 from foon_kg.integration.composing.warmed import for_many, garnished, is_heated, stirred
@@ -127,9 +127,10 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
     if not called.tin and word_list("is called battered").isdisjoint(told):
         line, joins = sauce_apart(line, joins)
     boiled = not word_list("boils in the dish").isdisjoint(told)
-    soaked = is_soaked_up(joins, words(called.title))
-    one_pot = boiled or soaked or is_stewed(called.title, called.dishes, joins, known)
-    if boiled:
+    title = words(called.title)
+    bathed = is_eaten_with_its_bath(joins, title, called.dish_type)
+    one_pot = boiled or bathed or is_soaked_up(joins, title) or is_stewed(called.title, called.dishes, joins, known)
+    if boiled and not bathed:
         cold = is_never_heated(called.dishes, joins, known)
         line, joins = blended_when_done(line, joins, told, cold=cold)
     elif one_pot:

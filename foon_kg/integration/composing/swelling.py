@@ -6,7 +6,7 @@ import itertools
 from collections.abc import Sequence
 
 from foon_kg.food.lists import word_list
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.spots import Join, any_is
 
 
 def is_soaked_up(joins: Sequence[Join], told: Sequence[str]) -> bool:
@@ -19,7 +19,7 @@ def is_soaked_up(joins: Sequence[Join], told: Sequence[str]) -> bool:
     dry = [join.want for join in joins if join.want.facts.is_a(*word_list("swells"))]
     raw = [want.facts for want in dry if "boil" in want.facts.owes and not want.cooked]
     bound = any(one.is_a(*word_list("binds a mass or a sauce")) for one in facts)
-    if not raw or bound or any("dry" in stage.does for join in joins for stage in (join.spot.stage, *join.spot.after)):
+    if not raw or bound or _is_baked(joins):
         return False
     named = {*told, *map(" ".join, itertools.pairwise(told))}
     in_one = not word_list("says that all is in one vessel").isdisjoint(named)
@@ -27,3 +27,21 @@ def is_soaked_up(joins: Sequence[Join], told: Sequence[str]) -> bool:
     small = bool(large) and all(one.is_a(*word_list("soaks up its liquid")) for one in large)
     liquids = word_list("swells what is dry" if in_one else "swells what is small")
     return (in_one or small) and any(one.is_of(*liquids) for one in facts)
+
+
+def is_eaten_with_its_bath(joins: Sequence[Join], title: Sequence[str], dish_type: str) -> bool:
+    """Whether what is boiled by itself for other dishes is eaten with the liquid that it is asked with.
+
+    Nothing of such a dish is bound, creamy or baked; a title, if there is one, has to say it.
+    """
+    said = not title or not word_list("is eaten with its bath").isdisjoint(title)
+    if not said or dish_type not in word_list("may be eaten with its bath"):
+        return False
+    raw = [join for join in joins if not join.want.cooked]
+    wet = any(join.want.facts.is_of(*word_list("swells what is small")) for join in joins)
+    bound = any_is(joins, *word_list("makes a sauce of a bath"))
+    return any_is(raw, *word_list("is boiled by itself")) and wet and not bound and not _is_baked(joins)
+
+
+def _is_baked(joins: Sequence[Join]) -> bool:
+    return any("dry" in stage.does for join in joins for stage in (join.spot.stage, *join.spot.after))
