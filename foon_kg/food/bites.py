@@ -13,6 +13,9 @@ def is_eaten_by_bites(told: Collection[str], dishes: Collection[Dish]) -> bool:
 
     ``told`` are the words of its type and title, ``dishes`` those that these name.
     """
-    if any(dish.stacked or dish.laid for dish in dishes) or not word_list("is eaten with a knife").isdisjoint(told):
+    if any(dish.stacked or dish.laid for dish in dishes):
         return False
-    return not word_list("is eaten by bites").isdisjoint(told)
+    knife = not word_list("is eaten with a knife").isdisjoint(told)
+    return not word_list("is eaten by bites").isdisjoint(told) and (
+        not knife or not word_list("is eaten by bites whatever is in it").isdisjoint(told)
+    )

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.food import Tables, is_unbaked, words
+from foon_kg.food.bites import is_eaten_by_bites
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.goals.names import is_baked, made_of_verb
@@ -105,6 +106,11 @@ class Asked:
     def foods(self) -> tuple[AskedFood, ...]:
         """What is known of its foods, in their order."""
         return tuple(AskedFood.of(want, self.known) for want in self.wants)
+
+    @cached_property
+    def by_bites(self) -> bool:
+        """Whether it is eaten with a spoon or fork alone."""
+        return is_eaten_by_bites((*self.type_words, *self.told), self.dishes)
 
     @cached_property
     def weight(self) -> float:

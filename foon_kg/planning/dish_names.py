@@ -7,7 +7,6 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables, words
-from foon_kg.food.bites import is_eaten_by_bites
 from foon_kg.food.lists import word_list
 from foon_kg.food.techniques import Technique
 from foon_kg.goals.asked import Asked
@@ -104,7 +103,6 @@ def as_told(plan: Plan, asked: Asked, tin: str) -> Plan:
         in_pieces=asked.dressed,
         laid=asked.laid,
         spooned=_is_one(told, "boils in the dish"),
-        by_bites=is_eaten_by_bites(told, asked.dishes),
         closed_by=closing(told, plan.joins),
         portioned=_is_one(told, "is portioned"),
     )

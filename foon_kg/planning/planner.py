@@ -31,6 +31,7 @@ from foon_kg.integration.joining.joiners import Joiners
 from foon_kg.integration.joining.places import Matcher
 from foon_kg.integration.making.cooking import Cooking
 from foon_kg.integration.methods import Methods, TeachingView
+from foon_kg.integration.preparing.entitled import as_in_a_dish
 from foon_kg.integration.preparing.preparation import as_there
 from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.unheeded import with_unheeded
@@ -178,7 +179,8 @@ class _Question:
         title, asked = recipe.title or "", [one for one in self.recipe.ingredients if one.object]
         self.teaching = planner.teaching_for(_names_of(asked, self.known), recipe.dish_type)
         self.methods = self.teaching.methods
-        wants = wants_of(asked, self.known, self.methods.operators, title, self.recipe.dish_type)
+        wants = wants_of(asked, self.known, self.methods.operators, title)
+        wants = as_in_a_dish(wants, self.methods.operators, title, self.recipe.dish_type or "")
         if not wants:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
         self.kitchen = planner.kitchen_for([want.label for want in wants])
@@ -269,7 +271,7 @@ class _Question:
         label = frame.goal.label if has_its_name(fit, asked, dish_type, tin, self.technique) else dish_type
         plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased(asked), one_pot=one_pot)
         drunk, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
-        plan = replace(plan, drunk=drunk, cold=cold, cooled=asked.is_eaten_cold)
+        plan = replace(plan, drunk=drunk, cold=cold, cooled=asked.is_eaten_cold, by_bites=asked.by_bites)
         plan = as_told(plan, asked, tin) if self.technique is None else replace(plan, by_table=True)
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()

@@ -123,7 +123,8 @@ def _more_than_a_bite(case: Case) -> Iterator[Finding]:
     if not is_eaten_by_bites(told, case.tables.dishes_named(*case.dish_types, case.title)):
         return
     for part in case.parts:
-        if part.fine == _HALVED and part.food.is_a(*word_list("is more than a bite in halves")):
+        small = not word_list("is a small one").isdisjoint(words(part.name))
+        if part.fine == _HALVED and not small and part.food.is_a(*word_list("is more than a bite in halves")):
             yield Finding("K2", f"half of one {part.name} is more than a bite", minor=True)
 
 

@@ -48,6 +48,14 @@ PREPARED = [
     ("tomato", "halved", "cut, chop", ""),
     ("radish", "halved", "cut", ""),
     ("strawberry", "berries", "core", ""),
+    ("date", "whole", "pit, chop", ""),
+    ("olive", "pitted", "pit", ""),
+    # --- leaves and stalks ---
+    ("leek", "sliced", "slice, rinse, boil, drain", ""),
+    ("bok choy", "leaves", "chop", ""),
+    ("artichoke", "whole", "", "canned"),
+    # --- meat ---
+    ("chicken", "whole", "boil, drain, slice", ""),
     ("banana", "sliced", "peel, slice", ""),
     ("lemon", "juiced", "cut, squeeze", "juice"),
     ("raspberry", "berries", "", ""),

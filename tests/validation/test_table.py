@@ -302,7 +302,9 @@ def test_k2_what_does_not_take_it_away(food, motion, left):
     ("dish", "food", "told"),
     [
         ("salad", "pear", ["K2 (minor): half of one pear is more than a bite"]),
-        ("salad\ntitle: Grilled Pear Salad", "pear", []),
+        ("salad\ntitle: Grilled Pear Salad", "pear", ["K2 (minor): half of one pear is more than a bite"]),
+        ("rice\ntitle: Stuffed Pears with Rice", "pear", []),
+        ("salad", "baby beet", []),
         ("roast", "pear", []),
         ("sandwich", "pear", []),
         ("salad", "radish", []),

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from dataclasses import replace
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import fineness
-from foon_kg.integration.joining.course import HEATS
+from foon_kg.integration.joining.course import HEATS, MIXES
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.alone import Alone
 from foon_kg.integration.preparing.preparation import Ready, Want
@@ -67,6 +68,8 @@ class Readying:
             ("chopped", small, "is cut for a dish"),
             ("shaved", self._is_mixed(join), "is cut off its cob"),
             ("crumbled", self.plan.in_pieces, "is crumbled"),
+            ("chopped", _is_done_later(join, MIXES), "is cut to be mixed"),
+            ("crushed", _is_done_later(join, {"dry"}), "is crushed to be baked"),
         ]
         form = join.slot.states if join.slot is not None else ()
         return (*form, *(state for state, needed, kinds in needs if needed and facts.is_a(*word_list(kinds))))
@@ -134,6 +137,11 @@ def _is_blended(join: Join) -> bool:
     if "blend" in stage.does or ("mash" in stage.does and "mix" not in stage.does):
         return True
     return not stage.does and bool(after) and "blend" in after[0].does
+
+
+def _is_done_later(join: Join, does: Set[str]) -> bool:
+    """Whether any of these things is done to a food where it joins, or later."""
+    return any(not stage.does.isdisjoint(does) for stage in (join.spot.stage, *join.spot.after))
 
 
 def _is_eaten_raw(join: Join) -> bool:

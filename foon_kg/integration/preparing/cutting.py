@@ -95,7 +95,7 @@ class Cutter:
         """Return the ways of this FOON by which such a food can be brought into pieces of that state."""
         ways = self._ways_to_divide(state)
         torn = state in _SHREDS and want.facts.is_a(*word_list("is flesh"))  # it is cooked by then
-        ways = (_by_bare_hands(ways) if torn else []) or self._with_a_knife(ways, want)
+        ways = (_by_bare_hands(ways) if torn else []) or self.with_a_knife(ways, want, state)
         if wants_a_mill(state, want.facts, self.known):
             return [way for way in ways if is_mill(way, self.known)]
         return ways
@@ -111,10 +111,10 @@ class Cutter:
         grated = hard or state in word_list("only grates") | word_list("is so by a grater")
         return [way for way in ways if grated and self.has_tool_to(_GRATE, way)]
 
-    def _with_a_knife(self, ways: list[Way], want: Want) -> list[Way]:
+    def with_a_knife(self, ways: list[Way], want: Want, state: str = "") -> list[Way]:
         """Return the ways that divide a food: where it is firm, not by bare hands, nor with what is no knife."""
         if not want.facts.is_a(*word_list("wants a knife")) or want.facts.is_a(*word_list("is broken by hand")):
-            return ways
+            return ways if state in word_list("is so by bare hands") else [way for way in ways if way[1]] or ways
         bare, unfit = word_list("is done by bare hands"), word_list("is no knife")
         return [way for way in ways if (way[1] or way[0] not in bare) and unfit.isdisjoint(way[1])] or ways
 
@@ -180,7 +180,7 @@ class Cutter:
         ways = [way for way in ways if unfit.isdisjoint(self.known.motion(way[0]).does)]
         ways = self.with_a_fit_tool(name, ways, want)
         attested = self.bench.attest(ways, want.names, act=True)
-        if attested is None and not want.facts.is_a("stock", "ready"):
+        if attested is None and (name in want.facts.owes or not want.facts.is_a("stock", "ready")):
             attested = self.bench.far(ways, want.names, act=True)
         return attested
 
@@ -199,7 +199,8 @@ class Cutter:
     def _far(self, ways: Sequence[Way], want: Want) -> Attested | None:
         """Return how the likest food is divided: a knife cuts all, but no trout is grated or mashed like a carrot."""
         found = self.bench.far(ways, want.names, act=True)
-        if found is not None and want.facts.is_a(*_SOFT) and "mash" in self.known.motion(found.way[0]).does:
+        gives_way = want.facts.is_a(*_SOFT, *word_list("crumbles"))
+        if found is not None and gives_way and "mash" in self.known.motion(found.way[0]).does:
             return found
         if found is not None and found.like is not None and found.like[2] >= LEAST_ALIKE:
             return found

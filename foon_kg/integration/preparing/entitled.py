@@ -1,25 +1,20 @@
-"""What the title of a dish says of a food that its recipe left out: smoked salmon, mashed potato, grilled chicken."""
+"""What title and type of a dish say of a food that its recipe left out: smoked salmon, mashed potato, grilled chicken.
+
+So they say what a whole food is for: its juice, its flesh off the bone, or one from a can.
+"""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from foon_kg.food import Tables, words
+from foon_kg.food import Tables, singular, words
+from foon_kg.food.bites import is_eaten_by_bites
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import State
-from foon_kg.integration.preparing.preparation import JUICE, POWDER, Want
+from foon_kg.integration.preparing.preparation import CANNED, JUICE, POWDER, Want
 from foon_kg.integration.teaching.operators import Operators
-
-
-def as_pressed(want: Want, known: Tables, operators: Operators) -> Want:
-    """Return a whole food of which only the juice is used as one that is squeezed, unless it is for garnish."""
-    is_whole = not want.make and all(known.state(state).undivided for state in want.leaf)
-    pressed = (
-        want.facts.is_a(*word_list("is pressed for its juice")) and not want.part and bool(operators.giving.get(JUICE))
-    )
-    return replace(want, make=JUICE, squeezed=True) if pressed and is_whole else want
 
 
 def as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> Want:
@@ -80,3 +75,50 @@ def _before_it(want: Want, told: Sequence[str]) -> Iterator[str]:
 def is_bought_so(row: State, state: str, operators: Operators) -> bool:
     """Whether no kitchen of this FOON makes a food so, which is fit to be eaten then."""
     return "cook" in row.earns and not row.needs_heat and not any(True for _ in operators.making(state))
+
+
+def as_in_a_dish(wants: Iterable[Want], operators: Operators, title: str, dish_type: str) -> tuple[Want, ...]:
+    """Return the foods of a dish, each whole one as such a dish has it: of a whole lemon a cake wants the juice."""
+    wants, known, told = tuple(wants), operators.known, frozenset(words(title))
+    pressed = dish_type in word_list("is made with juice") and word_list("is made with slices").isdisjoint(told)
+    bites = is_eaten_by_bites((*words(dish_type), *told), known.dishes_named(dish_type, title))
+
+    def meant(want: Want) -> Want:
+        if not _is_whole(want, known):
+            return _by_its_dish(want, dish_type, known)
+        if pressed and want.facts.is_a(*word_list("is pressed for its juice")) and not want.part:
+            return _pressed(want, operators)
+        if bites and want.facts.is_a(*word_list("is pulled off when it is boiled")):
+            return replace(want, then=min(word_list("is so when it is pulled off")))
+        return _canned(want, known) if _comes_canned(want, wants, told) else want
+
+    return tuple(map(meant, wants))
+
+
+def _is_whole(want: Want, known: Tables) -> bool:
+    return not want.make and not want.then and all(known.state(state).undivided for state in want.leaf)
+
+
+def _by_its_dish(want: Want, dish_type: str, known: Tables) -> Want:
+    """Return a food whose word means something else in such a dish: chips in a soup."""
+    place = f"in {dish_type}"
+    other = any(state == place for state, _ in known.foods.homonyms.get(singular(want.label), ()))
+    return replace(want, facts=known.foods.food(want.label, [place])) if other and not want.make else want
+
+
+def _pressed(want: Want, operators: Operators) -> Want:
+    """Return a food of which only the juice is used as one that is squeezed, if the FOON shows how."""
+    return replace(want, make=JUICE, squeezed=True) if operators.giving.get(JUICE) else want
+
+
+def _comes_canned(want: Want, wants: Collection[Want], told: Collection[str]) -> bool:
+    """Whether a food that is too much work for a dish of many others is taken out of a can."""
+    basis = word_list("a dish is built on") | word_list("a cold dish is built on")
+    others = any(one.facts.is_a(*basis) for one in wants)
+    own = not word_list("is eaten with a knife").isdisjoint(told)
+    return others and not own and want.facts.is_a(*word_list("is canned for a dish"))
+
+
+def _canned(want: Want, known: Tables) -> Want:
+    facts = known.foods.food(want.label, [CANNED])
+    return replace(want, facts=facts, leaf=(CANNED,), storage=facts.sold_in, read_as=CANNED)

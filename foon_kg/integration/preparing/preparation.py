@@ -26,6 +26,7 @@ _MILLS = frozenset({"grind", "blend", "mash"})
 CUTS = frozenset({"cut", "grate", "mash", "grind"})
 NOT_BY_HAND = frozenset({"heat", "warm", "blend", "mix", "wait", "coat", "shape", "scatter", "fetch"})
 
+CANNED = "canned"
 FROM_A_CAN = frozenset({"drain"})
 """What is done to what comes out of a can."""
 

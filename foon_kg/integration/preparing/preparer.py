@@ -66,7 +66,7 @@ class Preparer(Treater):
 
     def _work_on(self, ready: Ready, due: set[str], cut: str, form: Sequence[str], *, alone: bool) -> None:
         """Clean a food of what is ``due``, then squeeze it, or drain and ``cut`` it; see :meth:`prepare`."""
-        self.clean(ready, due)
+        self.clean(ready, due, cut)
         want = ready.want
         if self._is_pressed(want, form):
             self.squeeze(ready)
@@ -75,6 +75,7 @@ class Preparer(Treater):
             self.drain(ready)
         self.advise(ready)
         self._divide(ready, cut, alone=alone)
+        self.clean_inside(ready, due)
         ready.cut_later = want.then or ready.cut_later
 
     def _is_pressed(self, want: Want, form: Sequence[str]) -> bool:
@@ -141,13 +142,15 @@ class Preparer(Treater):
         """Have a food cut when it is cooked, unless it is in pieces or is cut anyway."""
         states = (*ready.stuff.states, ready.want.make) if ready.want.make else ready.stuff.states
         whole = not any(self.known.state(state).fineness > 0 for state in states)
+        whole = whole and not ready.want.facts.is_a(*word_list("is in bits"))
         if whole and not ready.cut_later and not self._is_no_work_for_a_knife(ready.want):
             ready.cut_later = self.usual_cut(ready.want)
 
     def cut_to_bites(self, ready: Ready) -> None:
         """Cut a food again of which half of one is too large to be eaten with a spoon or fork."""
         rows = [self.known.state(state) for state in ready.stuff.states]
-        halves = any(row.fineness == _HALVED for row in rows) and not any(row.fineness > _HALVED for row in rows)
+        halves = max((row.fineness for row in rows), default=0) == _HALVED
+        halves = halves and word_list("is a small one").isdisjoint(words(ready.want.label))
         if halves and ready.want.facts.is_a(*word_list("is more than a bite in halves")):
             self._cut(ready, self.usual_cut(ready.want))
 
@@ -205,8 +208,9 @@ class Preparer(Treater):
         """Whether a food that is sold so is still to be cut, though the word is one of a part: a clove, a steak."""
         is_a = want.facts.is_a
         plucked = is_a(*word_list("is cut off its stem")) and not is_a(*word_list("is served in leaves"))
-        flesh = state in word_list("is still in one piece") and is_a(*word_list("is flesh"))
+        plucked = plucked or is_a(*word_list("is too large in leaves"))
         plucked = plucked and state in word_list("is plucked off its stem")
+        flesh = state in word_list("is still in one piece") and is_a(*word_list("is flesh"))
         small = state in word_list("is called small") and is_a(*word_list("is firm"))
         return flesh or plucked or small or state in word_list("is a piece to be cut")
 

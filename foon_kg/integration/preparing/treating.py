@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from foon_kg.food import Level
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Stuff
+from foon_kg.integration.bench import RefusedError, Stuff
 from foon_kg.integration.preparing.cutting import BOWL, STANDS_FOR, Cutter
 from foon_kg.integration.preparing.preparation import (
     BRINGS,
@@ -26,6 +26,8 @@ from foon_kg.integration.preparing.preparation import (
 from foon_kg.integration.teaching.operators import Attested, Way
 from foon_kg.world.treatment import ADVISED
 
+_HALVED = "halved"
+
 _DONE_WITH = {"stone": "core", "peel": "husk"}
 """What is done by another treatment, where that is due."""
 
@@ -33,16 +35,29 @@ _DONE_WITH = {"stone": "core", "peel": "husk"}
 class Treater(Cutter):
     """Treats foods on a bench."""
 
-    def clean(self, ready: Ready, due: set[str]) -> None:
-        """Take off and out of a food what is ``due``, in the order in which hands do it, and wash it at last."""
+    def clean(self, ready: Ready, due: set[str], cut: str) -> None:
+        """Take off and out of a food what is ``due``, in the order in which hands do it, and wash it at last.
+
+        What has earth between its leaves is washed when it is ``cut``.
+        """
         order = list(IN_ORDER)
         if ready.want.facts.is_a(*word_list("is stoned before it is peeled")):
             order.sort(key=lambda name: name == "peel")
         for name in order:
             if name in due and _DONE_WITH.get(name) not in due:
                 self._treat(ready, name)
-        if "wash" in due:
+        if "wash" in due and not (cut and _is_earthy(ready.want)):
             self.rinse(ready, "washed")
+
+    def clean_inside(self, ready: Ready, due: set[str]) -> None:
+        """Wash in a strainer what was cut with earth between its leaves, if that is ``due``."""
+        stuff, bench = ready.stuff, self.bench
+        if "wash" not in due or "washed" in stuff.states or not _is_earthy(ready.want):
+            return
+        if stuff.at is not None and not stuff.at.storage:
+            ways: list[Way] = [("pour", ()), ("pick-and-place", ())]
+            bench.bring([stuff], bench.vessel("strainer"), bench.require(ways, ready.want.names))
+        self.rinse(ready, "washed")
 
     def _treat(self, ready: Ready, name: str) -> None:
         """Peel, core or stone the food, or assume that it was bought so."""
@@ -92,9 +107,7 @@ class Treater(Cutter):
     def trim(self, ready: Ready, state: str) -> None:
         """Cut off the ends of a food, which makes it ``state``, or assume that it was done where it is asked so."""
         ways = [way for motion in sorted(word_list("cuts off the ends")) for way in self.operators.ways_of(motion)]
-        attested = self.bench.attest(ways, ready.want.names, act=True) or self.bench.far(
-            ways, ready.want.names, act=True
-        )
+        attested = self.bench.near_or_far(self.with_a_knife(ways, ready.want), ready.want.names, act=True)
         if attested is None:
             if ready.want.make == state:
                 self.assume(ready, state)
@@ -157,10 +170,10 @@ class Treater(Cutter):
     def squeeze(self, ready: Ready) -> None:
         """Halve the food and press its juice into a bowl."""
         stuff, bench = ready.stuff, self.bench
-        halves = [way for way in self.operators.making("halved") if self.is_cut(way)]
-        bench.act(
-            stuff, self.with_tool(bench.require(halves, ready.want.names, act=True)), ("halved",), "cutting board"
-        )
+        halving = self.way_to_cut(ready.want, _HALVED)
+        if halving is None:
+            raise RefusedError(f"nothing halves {ready.want.label}")
+        bench.act(stuff, self.with_tool(halving), (_HALVED,), "cutting board")
         ways = [
             way
             for way in self.operators.giving.get(JUICE, ())
@@ -193,3 +206,8 @@ class Treater(Cutter):
         stuff.states = tuple(sorted({*kept, state}))
         why = f"no step of this FOON makes {ready.want.label} {state}, nor a like food or one of its kind"
         ready.assumptions.append(why)
+
+
+def _is_earthy(want: Want) -> bool:
+    """Whether there is earth between the leaves of a food, so that it is washed when it is cut."""
+    return want.facts.is_a(*word_list("is washed when it is cut"))

@@ -13,9 +13,10 @@ from foon_kg.food import Food, Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import State
 from foon_kg.food.told_states import asked_state, in_turn
-from foon_kg.integration.preparing.entitled import as_entitled, as_pressed, is_bought_so
+from foon_kg.integration.preparing.entitled import as_entitled, is_bought_so
 from foon_kg.integration.preparing.preparation import (
     BRINGS,
+    CANNED,
     FROM_A_CAN,
     JUICE,
     POWDER,
@@ -29,25 +30,21 @@ from foon_kg.integration.teaching.operators import Operators, Way, form_of
 from foon_kg.model import RequiredIngredient
 from foon_kg.world.treatment import ADVISED
 
-_CANNED = "canned"
-
 
 def wants_of(
-    ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators, title: str = "", dish_type: str = ""
+    ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators, title: str = ""
 ) -> tuple[Want, ...]:
     """Return the distinct required foods in their order, each with its state as it is understood.
 
-    ``title`` and ``dish_type`` say what nobody says of a food: of a whole lemon a cake wants the juice.
+    ``title`` says what the recipe left out.
     """
-    pressed = dish_type in word_list("is made with juice") and word_list("is made with slices").isdisjoint(words(title))
     distinct: dict[RequiredIngredient, tuple[int, ...]] = {}
     for place, one in enumerate(one for one in ingredients if one.object):
         distinct[one] = (*distinct.get(one, ()), place)
     found = []
     for number, (one, places) in enumerate(distinct.items(), start=1):
         want = replace(_in_turn(number, one, known, operators), part=one.part, places=places)
-        want = as_entitled(_cut_by_name(want, known), title, known, operators)
-        found.append(as_pressed(want, known, operators) if pressed else want)
+        found.append(as_entitled(_cut_by_name(want, known), title, known, operators))
     return tuple(found)
 
 
@@ -209,9 +206,9 @@ def _foamed(want: Want, before: Food) -> Want | None:
 
 def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None:
     """Return a food whose asked state is not given to it alone: drained of what it was canned or boiled in, smoked."""
-    canned = operators.known.foods.food(want.label, [_CANNED])
-    if row.earns & FROM_A_CAN and canned.sold_as == _CANNED:
-        return replace(want, facts=canned, leaf=(_CANNED,), storage=canned.sold_in, read_as=_CANNED)
+    canned = operators.known.foods.food(want.label, [CANNED])
+    if row.earns & FROM_A_CAN and canned.sold_as == CANNED:
+        return replace(want, facts=canned, leaf=(CANNED,), storage=canned.sold_in, read_as=CANNED)
     if row.earns and row.earns <= ADVISED and row.earns != RINSED and "boil" in want.facts.owes:
         return replace(want, cooked=True)
     return replace(want, leaf=(want.asked,), bought_so=True) if is_bought_so(row, want.asked, operators) else None
@@ -237,7 +234,7 @@ def _is_known_to_be_made(want: Want, form: str, row: State) -> bool | None:
     if _is_too_small_to_be_cut(want, row):
         return False
     if row.earns == RINSED:
-        return form in {"whole", "pieces"} or _CANNED in want.leaf
+        return form in {"whole", "pieces"} or CANNED in want.leaf
     return True if _melts(want) or _is_mashed_as_sold(want) else None
 
 
