@@ -20,7 +20,7 @@ from foon_kg.cli.console import (
     sayer,
 )
 from foon_kg.cli.groups import Commanded
-from foon_kg.model.errors import FoonError, UsageError
+from foon_kg.model.errors import UsageError
 from foon_kg.model.written_files import write_file, writing
 
 if TYPE_CHECKING:
@@ -215,24 +215,16 @@ def _drafts(
     failed: list[str] | None = None,
 ) -> Iterable[Draft]:
     """Yield the drafts; one that cannot be made is told and, where ``failed`` is given, only named there."""
-    from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.language.drafting import draft as drafted
-    from foon_kg.language.drafting.precedents import FoonPrecedents
-    from foon_kg.language.instructions import with_actions
+    from foon_kg.cli.knowledge import front_door
 
-    foon = whole_foon(files, say)
-    precedents = FoonPrecedents(foon.units, foon.kitchen)
-    for narration in narrations:
-        try:
-            told = with_actions(narration, precedents.verbs, precedents.names) if narration.sentences else narration
-            made = drafted(told, precedents, dish_type=dish)
-        except (FoonError, LookupError, ValueError) as error:
-            if failed is None:
-                raise
-            failed.append(narration.name)
-            say(f"{narration.source}: {narration.name} could not be drafted: {error!r}. The others are.")
-            continue
-        yield made
+    def odd(narration: Narration, error: Exception) -> None:
+        if failed is None:
+            raise error
+        failed.append(narration.name)
+        say(f"{narration.source}: {narration.name} could not be drafted: {error!r}. The others are.")
+
+    with front_door(files, say) as foon:
+        yield from foon.drafts(narrations, dish, odd=odd)
 
 
 def _lines(path: Path) -> tuple[str, ...]:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
-from functools import partial
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -18,9 +16,6 @@ from foon_kg.cli.runs import progress_bar
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from foon_kg.language.recipe_drafts import RecipeDrafter
     from foon_kg.model.collected import CollectedRecipe
     from foon_kg.model.drafted import DraftedRecipe
 
@@ -63,8 +58,7 @@ def recipes(
     by spaCy's parser (pip install 'foon-kg[text]').
     """
     from foon_kg.cli import data_frames
-    from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.language.recipe_drafts import RecipeDrafter
+    from foon_kg.cli.knowledge import front_door
     from foon_kg.loaders.lessons import ENDINGS, is_drafts_file
     from foon_kg.loaders.recipe_collections import RecipeCollections
 
@@ -83,10 +77,12 @@ def recipes(
         if tally.recipes:
             say(f"{output} has {tally.recipes} of {total} drafts already")
         if tally.recipes < total:
-            foon = whole_foon(files, say)
-            drafter = RecipeDrafter(foon.units, foon.kitchen)
             left = islice(collections, tally.recipes, None)
-            with _drafting(left, drafter, jobs) as drafted, adding(output, size) as add:
+            with (
+                front_door(files, say) as foon,
+                foon.drafts_of_recipes(left, jobs=jobs) as drafted,
+                adding(output, size) as add,
+            ):
                 for one in progress_bar(drafted, "Drafting recipes", total, tally.recipes, quiet=quiet):
                     add(json_line(one.to_json()))
                     tally.add(one)
@@ -164,19 +160,3 @@ def _blocks(output: Path, total: int) -> Iterator[tuple[Sequence[DraftedRecipe],
         there += len(found)
         if len(found) == full or there >= total:
             yield found, end
-
-
-def _drafting(
-    recipes: Iterable[CollectedRecipe], drafter: RecipeDrafter, jobs: int | None
-) -> AbstractContextManager[Iterable[DraftedRecipe]]:
-    from foon_kg.planning.batch import cores
-    from foon_kg.planning.processes import spread
-
-    processes = cores() if jobs is None else jobs
-    if processes == 1:
-        return nullcontext(map(drafter.draft, recipes))
-    return spread(partial(_drafter, drafter), recipes, processes)
-
-
-def _drafter(drafter: RecipeDrafter) -> Callable[[CollectedRecipe], DraftedRecipe]:
-    return drafter.draft

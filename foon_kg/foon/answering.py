@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
-from foon_kg.foon.changing import Changing
+from foon_kg.foon.drafting import Drafting
 
 if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.planning.batch import Answer, Cook, Question
@@ -25,7 +25,7 @@ _MOST_KEPT = 8
 """For so many different settings what plans is kept ready."""
 
 
-class Answering(Changing):
+class Answering(Drafting):
     """A FOON that answers questions of recipes with settings."""
 
     @cached_property
@@ -103,7 +103,7 @@ class Answering(Changing):
         ...     [len(answer.outcome.units) for answer in answers]
         [6, 6]
         """
-        from foon_kg.planning.batch import MANY, Cook, answering, answering_on, processes_for
+        from foon_kg.planning.batch import MANY, processes_for
 
         if count is None:
             count = len(questions) if isinstance(questions, Sequence) else MANY
@@ -111,21 +111,16 @@ class Answering(Changing):
             yield ()
             return
         jobs = processes_for(count) if jobs is None else jobs
-        if count >= MANY and dask is None and self._is_cheaper_in_parts(settings, count // jobs):
-            with self._in_parts(questions, settings, jobs) as answers:
-                yield answers
-            return
-        whole = dask is not None or count >= MANY
-        with self._viewed(settings, whole=whole) as view:
-            units = getattr(view, "units", None) if whole or count > 1 else None  # a graph is asked for parts
-            if dask is not None and units is not None:
-                with answering_on(dask, questions, view, settings, units) as answers:
-                    yield answers
-            elif units is not None and count >= MANY and jobs > 1:
-                with answering(questions, view, settings, units, jobs) as answers:
-                    yield answers
-            else:
-                yield map(Cook(view, settings, units).answer, questions)
+        if dask is not None:
+            opened = self._on_cluster(questions, settings, dask)
+        elif count < MANY:
+            opened = self._of_view(questions, settings, alone=count == 1)
+        elif self._is_cheaper_in_parts(settings, count // jobs):
+            opened = self._in_parts(questions, settings, jobs)
+        else:
+            opened = self._of_whole(questions, settings, jobs)
+        with opened as answers:
+            yield answers
 
     def _is_cheaper_in_parts(self, settings: PlanSettings, recipes: int) -> bool:
         """Whether the FOON is in a graph, and too large for a process to read it whole for so many ``recipes``.
@@ -139,6 +134,42 @@ class Answering(Changing):
             return True
         with self._graph.reading() as view:
             return units > UNITS_A_RECIPE * recipes and view.is_learnt_by_this_program
+
+    @contextmanager
+    def _on_cluster(
+        self, questions: Iterable[Question], settings: PlanSettings, dask: str
+    ) -> Iterator[Iterable[Answer]]:
+        """Open what answers questions from the whole FOON on the cluster of the scheduler at ``dask``."""
+        from foon_kg.planning.batch import answering_on
+
+        with (
+            self._viewed(settings, whole=True) as view,
+            answering_on(dask, questions, view, settings, view.units) as answers,
+        ):
+            yield answers
+
+    @contextmanager
+    def _of_whole(self, questions: Iterable[Question], settings: PlanSettings, jobs: int) -> Iterator[Iterable[Answer]]:
+        """Open what answers questions from the whole FOON in ``jobs`` processes."""
+        from foon_kg.planning.batch import Cook, answering
+
+        with self._viewed(settings, whole=True) as view:
+            if jobs > 1:
+                with answering(questions, view, settings, view.units, jobs) as answers:
+                    yield answers
+            else:
+                yield map(Cook(view, settings, view.units).answer, questions)
+
+    @contextmanager
+    def _of_view(
+        self, questions: Iterable[Question], settings: PlanSettings, *, alone: bool
+    ) -> Iterator[Iterable[Answer]]:
+        """Open what answers a few questions here, or one ``alone``; a graph is asked for the parts that each needs."""
+        from foon_kg.planning.batch import Cook
+
+        with self._viewed(settings) as view:
+            units = None if alone else getattr(view, "units", None)
+            yield map(Cook(view, settings, units).answer, questions)
 
     @contextmanager
     def _in_parts(self, questions: Iterable[Question], settings: PlanSettings, jobs: int) -> Iterator[Iterable[Answer]]:

@@ -71,16 +71,11 @@ class RecipeTold(BaseModel):
     ingredients: list[Wanted]
 
 
-class Near(BaseModel):
-    """A known name, and how sure it is (0 to 1) that a cook would accept it."""
+class NearAndWhy(BaseModel):
+    """A known name, how sure it is (0 to 1) that a cook would accept it, and what speaks for it."""
 
     name: str
     confidence: float
-
-
-class NearAndWhy(Near):
-    """The same with what speaks for it."""
-
     why: list[str]
 
 

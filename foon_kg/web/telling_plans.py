@@ -6,7 +6,11 @@ from typing import Literal
 
 from pydantic import BaseModel
 
-from foon_kg.web.telling import MeasuresTold, Near, Node, RecipeTold, SeenIn, Wanted
+from foon_kg.formats.exports.files import ExportFile
+from foon_kg.model.knowledge import Neighbour
+from foon_kg.planning.explanation import Joining, PassedOver
+from foon_kg.plans.durations import Duration
+from foon_kg.web.telling import MeasuresTold, Node, RecipeTold, SeenIn, Wanted
 
 
 class Thing(Node):
@@ -84,7 +88,7 @@ class SubstitutionTold(BaseModel):
     required: str
     equivalent: str
     confidence: float
-    alternatives: list[Near]
+    alternatives: list[Neighbour]
 
 
 class AssumptionTold(BaseModel):
@@ -111,25 +115,6 @@ class Line(BaseModel):
     end_product: str | None
 
 
-class PassedOverTold(BaseModel):
-    """A known food that might have stood for the required one, and why it does not."""
-
-    label: str
-    state: str
-    confidence: float
-    why: str
-
-
-class JoiningTold(BaseModel):
-    """Where a food joins the others (the step from 1), and why there."""
-
-    step: int | None
-    motion: str
-    like: str
-    likeness: float
-    left_open: list[str]
-
-
 class Renamed(BaseModel):
     """An asked state, and what it was read as."""
 
@@ -147,17 +132,8 @@ class ExplanationTold(BaseModel):
     chosen: bool
     renamed: list[Renamed]
     videos: list[str]
-    joins: JoiningTold | None
-    passed_over: list[PassedOverTold]
-
-
-class DurationTold(BaseModel):
-    """Seconds that a motion takes: the median of its sightings, and the quartiles around it."""
-
-    median: float
-    low: float
-    high: float
-    sightings: int
+    joins: Joining | None
+    passed_over: list[PassedOver]
 
 
 class ScheduledTold(BaseModel):
@@ -171,7 +147,7 @@ class ScheduledTold(BaseModel):
     start: float
     end: float
     hands: int | None
-    duration: DurationTold | None
+    duration: Duration | None
 
 
 class ScheduleTold(BaseModel):
@@ -227,13 +203,6 @@ class JudgedTold(BaseModel):
     notes: list[str]
 
 
-class FileTold(BaseModel):
-    """A file of an export: its name and its text."""
-
-    name: str
-    text: str
-
-
 class PlanTold(BaseModel):
     """A plan: what ``foon plan --json`` prints, and more.
 
@@ -258,7 +227,7 @@ class PlanTold(BaseModel):
     considered: list[ConsideredTold] | None = None
     judged: JudgedTold | None = None
     schedules: list[ScheduleTold] | None = None
-    files: list[FileTold] | None = None
+    files: list[ExportFile] | None = None
     shopping: list[Node]
     seen: list[SeenIn | None]
     videos: list[str | None]

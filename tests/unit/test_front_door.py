@@ -24,7 +24,7 @@ VALUES = {
 ALLOWED = {
     "planning.batch": {"Answer", "Question", "cores", "MANY"},  # what is asked and answered
     "planning.settings": None,
-    "planning.explanation": {"Explanation"},
+    "planning.explanation": {"Explanation", "Joining", "PassedOver"},
     "planning.kitchen_file": {"ReadKitchen"},
     "planning.recipes": None,  # files and lines of recipes as questions
     "planning.processes": None,  # how processes begin and end: nothing of a FOON
@@ -45,12 +45,17 @@ ROOMS_OF_THEIR_OWN = {
     "cli.server": "store.server",  # looks after the program, not after a FOON
     "cli.evaluate": "evaluation",  # measures what the door answers
     "web.examples": "evaluation.left_out_video",
-    "cli.draft": "language",  # makes subgraphs of words: nothing is asked of a FOON but its units
+    "cli.draft": (  # Foon.drafts makes them: here are their files, what people decide of them, and recipes as texts
+        "language.drafting.tables",
+        "language.drafting.review",
+        "language.reviewing",
+        "language.recipe_text",
+    ),
     "cli.load": "language.drafting.tables",
     "web.teach": "language.reviewing",
     "web.plan_answer": "language.plain_lines",
 }
-"""Which modules at the door (all that begin so) have a room besides."""
+"""Which modules at the door (all that begin so) have a room besides, or several."""
 
 
 def runs(tree):

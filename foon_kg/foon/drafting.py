@@ -1,0 +1,100 @@
+"""What a FOON makes of words: drafts of subgraphs, by how its own units do such actions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from typing import TYPE_CHECKING
+
+from foon_kg.foon.changing import Changing
+
+if TYPE_CHECKING:  # every question imports what it needs
+    from foon_kg.language.drafting.drafts import Draft
+    from foon_kg.language.recipe_drafts import RecipeDrafter
+    from foon_kg.model.collected import CollectedRecipe
+    from foon_kg.model.drafted import DraftedRecipe
+    from foon_kg.model.narration import Narration
+
+
+class Drafting(Changing):
+    """A FOON that drafts subgraphs of videos and recipes that are told in words."""
+
+    def draft(self, narration: Narration, dish_type: str | None = None) -> Draft:
+        """Return the draft of a ``narration``: units with a confidence (0 to 1) and doubts, and what was left out.
+
+        Its sentences, if it has any, are read by spaCy's parser; ``dish_type`` is that of the last thing made. Raises
+        :class:`~foon_kg.model.errors.UsageError` where the parser is not installed.
+
+        >>> from foon_kg.model.narration import Mention, NarratedAction, Narration
+        >>> told = Narration("salad", (NarratedAction("chop", (Mention("onion"),)),))
+        >>> foon.draft(told).units[0].annotation.unit.motion
+        'chop'
+        """
+        return next(self.drafts([narration], dish_type))
+
+    def drafts(
+        self,
+        narrations: Iterable[Narration],
+        dish_type: str | None = None,
+        *,
+        odd: Callable[[Narration, Exception], None] | None = None,
+    ) -> Iterator[Draft]:
+        """Yield the :meth:`draft` of each of ``narrations``, all with this ``dish_type``; the FOON is read once.
+
+        One that cannot be drafted is told to ``odd`` and passed over; without that its error is raised.
+
+        >>> from foon_kg.model.narration import Mention, NarratedAction, Narration
+        >>> told = [Narration(name, (NarratedAction("wash", (Mention(name),)),)) for name in ("tomato", "lettuce")]
+        >>> [len(one.units) for one in foon.drafts(told)]
+        [1, 1]
+        """
+        from foon_kg.language.drafting import draft
+        from foon_kg.language.drafting.precedents import FoonPrecedents
+        from foon_kg.language.instructions import with_actions
+        from foon_kg.model.errors import FoonError
+
+        whole = self.snapshot()
+        precedents = FoonPrecedents(whole.units, whole.kitchen)
+        for narration in narrations:
+            try:
+                told = with_actions(narration, precedents.verbs, precedents.names) if narration.sentences else narration
+                made = draft(told, precedents, dish_type=dish_type)
+            except (FoonError, LookupError, ValueError) as error:  # one odd narration ends no batch
+                if odd is None:
+                    raise
+                odd(narration, error)
+            else:
+                yield made
+
+    @contextmanager
+    def drafts_of_recipes(
+        self, recipes: Iterable[CollectedRecipe], *, jobs: int | None = None
+    ) -> Iterator[Iterable[DraftedRecipe]]:
+        """Open what drafts ``recipes`` of a collection by their instructions, in their order, in ``jobs`` processes.
+
+        As a rule those are all cores; how many they are changes no draft. A recipe that cannot be drafted is one that
+        says why. Raises :class:`~foon_kg.model.errors.FoonError` where a process is ended from outside, or what reads
+        sentences is not installed.
+
+        >>> from foon_kg.model.collected import CollectedRecipe
+        >>> with foon.drafts_of_recipes([CollectedRecipe("r1", "Toast", (), "toast.json:1")], jobs=1) as drafted:
+        ...     [one.problem for one in drafted]
+        ['it has no instructions']
+        """
+        from foon_kg.language.recipe_drafts import RecipeDrafter
+        from foon_kg.planning.batch import cores
+        from foon_kg.planning.processes import spread
+
+        whole = self.snapshot()
+        drafter = RecipeDrafter(whole.units, whole.kitchen)
+        processes = cores() if jobs is None else jobs
+        if processes == 1:
+            yield map(drafter.draft, recipes)
+            return
+        with spread(partial(_drafter, drafter), recipes, processes) as drafted:
+            yield drafted
+
+
+def _drafter(drafter: RecipeDrafter) -> Callable[[CollectedRecipe], DraftedRecipe]:
+    return drafter.draft
