@@ -33,10 +33,10 @@ def is_captions(path: Path) -> bool:
     seen: set[str] = set()
     tail = ""
     try:
-        for block in text_blocks(path):
-            text = tail + block
-            if not (seen or tail or text.lstrip().startswith("{")):
+        for number, block in enumerate(text_blocks(path)):
+            if number == 0 and not block.lstrip().startswith("{"):
                 return False
+            text = tail + block
             seen |= {name for form in _FORMS for name in form if name in text}
             if any(seen.issuperset(form) for form in _FORMS):
                 return True
@@ -122,11 +122,14 @@ def _told(value: object) -> list[tuple[object, object]] | None:
         return None
     annotations, sentences, times = (value.get(name) for name in ("annotations", "sentences", "timestamps"))
     if isinstance(annotations, list):
-        rows = [row if isinstance(row, Mapping) else {} for row in annotations]
-        return [(row.get("sentence"), row.get("segment")) for row in rows]
+        return [_of_row(row) for row in annotations]
     if not isinstance(sentences, list) or not isinstance(times, list):
         return None
     return [(text, times[place] if place < len(times) else None) for place, text in enumerate(sentences)]
+
+
+def _of_row(row: object) -> tuple[object, object]:
+    return (row.get("sentence"), row.get("segment")) if isinstance(row, Mapping) else (None, None)
 
 
 def _timing(segment: object) -> Timing | None:

@@ -61,18 +61,22 @@ def _action(line: int, row: Mapping[str, str], journal: Journal) -> NarratedActi
         journal.remark(line, remark)
     nouns = _nouns(line, row, journal)
     said = row["narration"] or " ".join((row["verb"], *nouns))
-    verb, told = row["verb"], said.lower()
-    first, others = nouns[:1], nouns[1:]
-    roles = {noun: role for noun in others if (role := _role(noun, told)) is not None}
+    roles = {noun: role for noun in nouns[1:] if (role := _role(noun, said.lower())) is not None}
+    objects = (*nouns[:1], *(noun for noun in nouns[1:] if noun not in roles))
     return NarratedAction(
-        verb,
-        tuple(Mention(noun) for noun in (*first, *(noun for noun in others if noun not in roles))),
-        tuple(Place(word, noun) for noun, (role, word) in roles.items() if role == "to"),
-        next((noun for noun, (role, _) in roles.items() if role == "from"), None),
-        tuple(noun for noun, (role, _) in roles.items() if role == "with"),
+        row["verb"],
+        tuple(map(Mention, objects)),
+        tuple(Place(roles[noun][1], noun) for noun in _in_role("to", roles)),
+        next(iter(_in_role("from", roles)), None),
+        tuple(_in_role("with", roles)),
         said=said,
         timing=timing,
     )
+
+
+def _in_role(role: str, roles: Mapping[str, tuple[str, str]]) -> list[str]:
+    """Return the nouns that are told in a ``role``: to, from or with."""
+    return [noun for noun, (own, _) in roles.items() if own == role]
 
 
 def _problem(row: Mapping[str, str]) -> Problem | None:

@@ -28,19 +28,23 @@ def foon_files(paths: Iterable[Path]) -> list[Path]:
 
 def _foon_files(path: Path) -> list[Path]:
     if path.is_dir():
-        below = list(_below(path))
-        files = [file for file in below if file.suffix.lower() in _ENDINGS]
-        if len(files) < len(below):  # plug-ins are looked for only where there is something for them
-            foreign = {f".{name}" for name in names(LOADERS)} - set(_ENDINGS)
-            files += [file for file in below if file.suffix.lower() in foreign]
-        if not files:
-            raise ReadError(f"{path}: no FOON file in this folder", hint="It should hold *.txt or *.json subgraphs.")
-        return files
+        return _foon_files_below(path)
     if not path.exists():
         raise ReadError(f"{path}: no such file or folder", hint="Check the path.")
     if path.suffix.lower() not in _ENDINGS and not is_foreign(path):
         raise ReadError(f"{path}: neither *.txt nor *.json", hint="A subgraph is a FOON text or its JSON.")
     return [path]
+
+
+def _foon_files_below(folder: Path) -> list[Path]:
+    below = list(_below(folder))
+    files = [file for file in below if file.suffix.lower() in _ENDINGS]
+    if len(files) < len(below):  # plug-ins are looked for only where there is something for them
+        foreign = {f".{name}" for name in names(LOADERS)} - set(_ENDINGS)
+        files += [file for file in below if file.suffix.lower() in foreign]
+    if not files:
+        raise ReadError(f"{folder}: no FOON file in this folder", hint="It should hold *.txt or *.json subgraphs.")
+    return files
 
 
 def _below(folder: Path) -> Iterator[Path]:

@@ -147,8 +147,7 @@ class _Cursor:
             except json.JSONDecodeError as error:
                 if self._may_be_cut(error) and self._read_on():
                     continue
-                message = ENDS_EARLY if self._streams and ends_early(error) else f"not JSON: {error.msg}"
-                raise UnreadableFile(message, self._first + error.lineno - 1) from error
+                raise UnreadableFile(self._what_is_no_json(error), self._first + error.lineno - 1) from error
             except ValueError as error:
                 reason = str(error).partition(": value has")[0]  # Python tells of a long number how to allow it
                 raise UnreadableFile(f"in the value that begins here: {reason}", self.line) from error
@@ -159,6 +158,9 @@ class _Cursor:
             ):  # 12 may be the beginning of 123, or of 12e3
                 self._at = end
                 return value
+
+    def _what_is_no_json(self, error: json.JSONDecodeError) -> str:
+        return ENDS_EARLY if self._streams and ends_early(error) else f"not JSON: {error.msg}"
 
     def _may_be_cut(self, error: json.JSONDecodeError) -> bool:
         return error.msg.startswith("Unterminated string") or error.pos >= len(self._text) - _NEAR_THE_END

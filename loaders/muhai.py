@@ -79,14 +79,18 @@ def read_muhai_text(text: str, name: str, file: str = "") -> ReadResult:
     scene = Scene(journal)
     for primitive in max(networks, key=lambda network: len(network.items)).forms():
         play(scene, primitive)
-    if any(notice.severity is Severity.REJECTED for notice in journal.notices()):
-        what = "steps are missing, so what the last one makes is hardly the dish"
-        journal.remark(None, Remark(NoticeKind.ODD_CLASS, what, "no goal marked"))
-        units = scene.units
-    else:
-        units = _with_goal(scene.units, name)
+    units = _with_goal_if_whole(scene.units, name, journal)
     notes = (Annotation(unit, measures=measures) for unit, measures in zip(units, scene.measures, strict=True))
     return journal.result(name, list(notes), (), scene.lines)
+
+
+def _with_goal_if_whole(units: Sequence[FunctionalUnit], name: str, journal: Journal) -> Sequence[FunctionalUnit]:
+    """Mark the dish; where steps were rejected, note in the ``journal`` that none is marked."""
+    if not any(notice.severity is Severity.REJECTED for notice in journal.notices()):
+        return _with_goal(units, name)
+    what = "steps are missing, so what the last one makes is hardly the dish"
+    journal.remark(None, Remark(NoticeKind.ODD_CLASS, what, "no goal marked"))
+    return units
 
 
 def _networks(definition: Form) -> Iterator[Form]:
@@ -96,21 +100,32 @@ def _networks(definition: Form) -> Iterator[Form]:
 def _with_goal(units: Sequence[FunctionalUnit], name: str) -> list[FunctionalUnit]:
     """Mark the dish: the last food that the recipe makes is called by the title and gets its dish type."""
     title = re.sub(r"\s*\d+$", "", name.replace("-", " "))
+    dish_type = _dish_type_of(title)
+    listed = list(units)
+    if dish_type and listed:
+        listed[-1] = _making_the_dish(listed[-1], title, dish_type)
+    return listed
+
+
+def _dish_type_of(title: str) -> str | None:
+    """Return the dish type of a recipe, by its title; ``None`` where that says none."""
     dish = next(iter(sorted(set(_DISHES_BY_WORD) & {word.rstrip("s") for word in title.split()})), "")
     sure = [one.name for one in dish_classes(title) if one.sure]
-    kind = sure[0] if sure else _DISHES_BY_WORD.get(dish)
-    listed = list(units)
-    if kind == "bread" and "biscuits" in title and "shortcake" not in title:
-        kind = "cookie"  # what is sweet and baked in spoonfuls
-    if kind and listed:
-        last = listed[-1]
-        foods = [place for place, one in enumerate(last.outputs) if one.node.container]
-        if foods:
-            goal = max(foods, key=lambda place: len(last.outputs[place].node.ingredients))
-            old = last.outputs[goal].node.label
-            outputs = tuple(_named(one, old, title, kind if i == goal else None) for i, one in enumerate(last.outputs))
-            listed[-1] = replace(last, outputs=outputs)
-    return listed
+    found = sure[0] if sure else _DISHES_BY_WORD.get(dish)
+    if found == "bread" and "biscuits" in title and "shortcake" not in title:
+        return "cookie"  # what is sweet and baked in spoonfuls
+    return found
+
+
+def _making_the_dish(unit: FunctionalUnit, title: str, dish_type: str) -> FunctionalUnit:
+    """Return a unit whose output with most in it is the dish, called by the title."""
+    foods = [place for place, one in enumerate(unit.outputs) if one.node.container]
+    if not foods:
+        return unit
+    goal = max(foods, key=lambda place: len(unit.outputs[place].node.ingredients))
+    old = unit.outputs[goal].node.label
+    outputs = tuple(_named(one, old, title, dish_type if i == goal else None) for i, one in enumerate(unit.outputs))
+    return replace(unit, outputs=outputs)
 
 
 def _named(one: Participant, old: str, title: str, dish: str | None) -> Participant:

@@ -82,31 +82,46 @@ def _recipe(path: Path, number: int, place: str, row: object, tell: Tell) -> Col
 
 def _lines(cell: object, place: str, tell: Tell) -> tuple[CollectedLine, ...] | None:
     """Return the ingredients that a cell lists, ``None`` where it lists something else; one without a name is told."""
+    if isinstance(cell, str) and not cell.lstrip().startswith("["):
+        return tuple(CollectedLine(part.strip()) for part in _BETWEEN.split(cell) if part.strip())
+    entries = _entries(cell)
+    if entries is None:
+        return None
+    lines = []
+    for position, entry in enumerate(entries):
+        line = _line(entry)
+        if line is not None:
+            lines.append(line)
+        else:
+            message = f"ingredients[{position}] names nothing"
+            tell(Notice(place, None, NoticeKind.MISSING_NAME, message, "the ingredient is left out"))
+    return tuple(lines)
+
+
+def _entries(cell: object) -> list[str | Mapping[str, object]] | None:
+    """Return the entries of a list, which may be written in JSON; ``None`` where it is no list of ingredients."""
     if isinstance(cell, str):
-        if not cell.lstrip().startswith("["):
-            return tuple(CollectedLine(part.strip()) for part in _BETWEEN.split(cell) if part.strip())
         try:
             cell = json.loads(cell)
         except (ValueError, RecursionError):
             return None
     if not isinstance(cell, list) or not all(isinstance(entry, str | Mapping) for entry in cell):
         return None
-    lines = [(position, _line(entry)) for position, entry in enumerate(cell)]
-    for position, line in lines:
-        if line is None:
-            message = f"ingredients[{position}] names nothing"
-            tell(Notice(place, None, NoticeKind.MISSING_NAME, message, "the ingredient is left out"))
-    return tuple(line for _, line in lines if line is not None)
+    return cell
 
 
 def _line(entry: str | Mapping[str, object]) -> CollectedLine | None:
     if isinstance(entry, str):
         return CollectedLine(entry.strip()) if entry.strip() else None
-    food, state, text = (_text(entry, name) or "" for name in ("object", "state", "text"))
+    food, state, text = _words(entry, "object"), _words(entry, "state"), _words(entry, "text")
     if not food and not text:
         return None
-    quantity, unit = _number(entry, "quantity") or "", _text(entry, "unit") or ""
-    return CollectedLine(text or f"{state} {food}".strip(), food or None, state, quantity, unit)
+    quantity = _number(entry, "quantity") or ""
+    return CollectedLine(text or f"{state} {food}".strip(), food or None, state, quantity, _words(entry, "unit"))
+
+
+def _words(fields: Mapping[str, object], name: str) -> str:
+    return _text(fields, name) or ""
 
 
 def _text(fields: Mapping[str, object], name: str) -> str | None:

@@ -163,12 +163,8 @@ def _braces(word: str, inside: str, remarks: tuple[Remark, ...]) -> StateLine:
         message = f"'{word} {{{inside}}}' where a place stands in []"
         remarks += (Remark(NoticeKind.RELATION_WITH_BRACES, message, "read as a place"),)
         return _place(word, inside.strip(), remarks)
-    names = [name.strip() for name in inside.split(",")]
-    ingredients = tuple(name for name in names if name)
-    if len(ingredients) < len(names):
-        remarks += (Remark(NoticeKind.EMPTY_NAME, f"an empty name in {{{inside}}}", "left out"),)
-    if twice := [name for name, count in Counter(ingredients).items() if count > 1]:
-        remarks += (Remark(NoticeKind.NAME_TWICE, f"more than once in {{}}: {', '.join(twice)}", "read once"),)
+    ingredients, odd = _names(inside)
+    remarks += odd
     if word == "contains":
         return StateLine(ingredients=ingredients, remarks=remarks)
     if word in {"contain", ""}:
@@ -176,6 +172,18 @@ def _braces(word: str, inside: str, remarks: tuple[Remark, ...]) -> StateLine:
         return StateLine(ingredients=ingredients, remarks=remarks)
     remarks += (Remark(NoticeKind.STATE_WITH_BRACES, f"{word!r} before {{}}", "read as a state and as 'contains'"),)
     return StateLine(state=word, ingredients=ingredients, remarks=remarks)
+
+
+def _names(inside: str) -> tuple[tuple[str, ...], tuple[Remark, ...]]:
+    """Return the names between two braces, and what is odd about them."""
+    remarks: tuple[Remark, ...] = ()
+    names = [name.strip() for name in inside.split(",")]
+    ingredients = tuple(name for name in names if name)
+    if len(ingredients) < len(names):
+        remarks += (Remark(NoticeKind.EMPTY_NAME, f"an empty name in {{{inside}}}", "left out"),)
+    if twice := [name for name, count in Counter(ingredients).items() if count > 1]:
+        remarks += (Remark(NoticeKind.NAME_TWICE, f"more than once in {{}}: {', '.join(twice)}", "read once"),)
+    return ingredients, remarks
 
 
 _READERS = {"O": _object_line, "S": _state_line, "M": _motion_line}

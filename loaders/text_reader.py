@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
+from itertools import chain
 
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark
 from foon_kg.loaders.text_lines import (
@@ -44,12 +45,14 @@ class TextReader:
         known = self._lines
         lines = [known[line] if line in known else self._line(line) for line in _LINE_END.split(text)]
         hours = counts_hours(column for line in lines if isinstance(line, MotionLine) for column in line.time_columns)
-        drafts = list(_drafts(lines, journal))
-        read = [self._annotation(draft, journal, hours=hours) for draft in drafts]
-        annotations = [annotation for annotation in read if annotation is not None]
-        at = [draft.motion_at for draft, annotation in zip(drafts, read, strict=True) if annotation is not None]
-        sources = [line.address for line in lines if isinstance(line, SourceLine) and line.address]
-        return journal.result(name, annotations, sources, at)
+        annotations: list[Annotation] = []
+        at: list[int] = []
+        for draft in _drafts(lines, journal):
+            annotation = self._annotation(draft, journal, hours=hours)
+            if annotation is not None:
+                annotations.append(annotation)
+                at.append(draft.motion_at)
+        return journal.result(name, annotations, _sources(lines), at)
 
     def _line(self, text: str) -> Line:
         line = self._lines[text] = read_line(text)
@@ -122,19 +125,23 @@ class _UnitDraft:
 
     def take(self, number: int, line: ObjectLine | StateLine | MotionLine | Problem) -> None:
         objects = self.outputs if self.motion_at else self.inputs
-        if isinstance(line, StateLine) and objects:
+        if isinstance(line, ObjectLine):
+            self._begin(objects, number, line)
+        elif isinstance(line, StateLine) and objects:
             objects[-1].states.append(line)
             objects[-1].last_line = number
             self.remarks += [(number, remark) for remark in line.remarks]
-        elif isinstance(line, ObjectLine):
-            objects.append(_ObjectDraft(line, [], number))
-            self.remarks += [(number, remark) for remark in line.remarks]
-            if line.dish_type is not None and not self.motion_at:
-                self.remarks.append((number, _class_on_input(line.dish_type)))
         elif isinstance(line, MotionLine) and not self.motion_at:
             self.motion, self.motion_at = line, number
         elif self.problem is None:
             self.problem = (number, _why_spoiled(line))
+
+    def _begin(self, objects: list[_ObjectDraft], number: int, line: ObjectLine) -> None:
+        """Begin another object of one side."""
+        objects.append(_ObjectDraft(line, [], number))
+        self.remarks += [(number, remark) for remark in line.remarks]
+        if line.dish_type is not None and not self.motion_at:
+            self.remarks.append((number, _class_on_input(line.dish_type)))
 
     def missing(self) -> tuple[int, Problem] | None:
         """Return what the unit lacks, at the line where it ends."""
@@ -155,6 +162,10 @@ def _why_spoiled(line: Line) -> Problem:
     if isinstance(line, Problem):
         return line
     return _STRAY_STATE if isinstance(line, StateLine) else _TWO_MOTIONS
+
+
+def _sources(lines: list[Line]) -> list[str]:
+    return [line.address for line in lines if isinstance(line, SourceLine) and line.address]
 
 
 def _drafts(lines: list[Line], journal: Journal) -> list[_UnitDraft]:
@@ -188,15 +199,16 @@ def _node(label: str, lines: list[StateLine]) -> tuple[ObjectNode, Remark | None
     """
     places = [line.place for line in lines if line.place is not None]
     place = places[-1] if places else (None, None)
-    others = list(dict.fromkeys(other for other in places if other != place))
+    others = [other for other in dict.fromkeys(places) if other != place]
     states = [line.state for line in lines if line.state is not None]
-    states += [place_as_state(other) for other in others]
-    ingredients = [name for line in lines for name in line.ingredients]
-    remark = None
-    if others:
-        message = f"{label!r} has several places: {', '.join(place_as_state(one) for one in (*others, place))}"
-        remark = Remark(NoticeKind.SEVERAL_PLACES, message, "the last is its place, the others are kept as states")
-    return ObjectNode(label, tuple(states), tuple(ingredients), *place), remark
+    ingredients = tuple(chain.from_iterable(line.ingredients for line in lines))
+    remark = _several_places(label, [*others, place]) if others else None
+    return ObjectNode(label, (*states, *map(place_as_state, others)), ingredients, *place), remark
+
+
+def _several_places(label: str, places: list[Place]) -> Remark:
+    message = f"{label!r} has several places: {', '.join(map(place_as_state, places))}"
+    return Remark(NoticeKind.SEVERAL_PLACES, message, "the last is its place, the others are kept as states")
 
 
 def place_as_state(place: Place) -> str:

@@ -47,7 +47,7 @@ def read_videos(paths: Iterable[Path]) -> Iterator[ReadResult]:
     """
     tables, others = [], []
     for path in paths:
-        found = sorted(path.rglob("*.csv")) if path.is_dir() else [path] * (path.suffix.lower() == ".csv")
+        found = _tables_at(path)
         tables += [file for file in found if path.exists() and not _is_hidden(file.relative_to(path))]
         if not found or not path.exists() or _has_subgraphs(path):
             others.append(path)
@@ -55,6 +55,13 @@ def read_videos(paths: Iterable[Path]) -> Iterator[ReadResult]:
         yield from read_video_table(table)
     if others:
         yield from read_paths(others)
+
+
+def _tables_at(path: Path) -> list[Path]:
+    """Return the tables below a folder, else the path itself where it is called like one."""
+    if path.is_dir():
+        return sorted(path.rglob("*.csv"))
+    return [path] if path.suffix.lower() == ".csv" else []
 
 
 def _has_subgraphs(path: Path) -> bool:

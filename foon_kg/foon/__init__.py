@@ -85,8 +85,6 @@ class Foon(Answering):
         6
         """
         from foon_kg.foon.plan import Plan
-        from foon_kg.model import Recipe, RequiredIngredient
-        from foon_kg.planning.batch import Question
         from foon_kg.planning.settings import PlanSettings, Substitute
         from foon_kg.plans.kitchen import Kitchen
         from foon_kg.plans.result import PlanResult
@@ -99,16 +97,7 @@ class Foon(Answering):
             after=after,
             with_drafts=with_drafts,
         )
-        asked = list(ingredients)
-        words = [one for one in asked if isinstance(one, str)]
-        pairs = [one for one in asked if not isinstance(one, str)]
-        if words and pairs:
-            raise UsageError("ingredients are words or pairs", hint="Give all of them in one way.")
-        question = Question(dish_type=dish_type, texts=tuple(words), title=title)
-        if pairs:
-            wanted = tuple(RequiredIngredient(food, state) for food, state in pairs)
-            question = Question(given=Recipe(dish_type, wanted, title=title))
-        answer = self.answer(question, settings)
+        answer = self.answer(_question(dish_type, list(ingredients), title), settings)
         if answer.error is not None or not isinstance(answer.outcome, PlanResult):
             raise answer.error or UsageError("there is no answer", hint="Ask something.")
         return Plan(answer.outcome, self, settings, answer.notes)
@@ -318,3 +307,18 @@ class Foon(Answering):
         from foon_kg.store.graph.counting import count
 
         return count(self._connection)
+
+
+def _question(dish_type: str, asked: Sequence[str | tuple[str, str]], title: str | None) -> Question:
+    """Return the question for a dish of what is ``asked``, all in words or all in pairs of food and state."""
+    from foon_kg.model import Recipe, RequiredIngredient
+    from foon_kg.planning.batch import Question
+
+    words = [one for one in asked if isinstance(one, str)]
+    pairs = [one for one in asked if not isinstance(one, str)]
+    if words and pairs:
+        raise UsageError("ingredients are words or pairs", hint="Give all of them in one way.")
+    if not pairs:
+        return Question(dish_type=dish_type, texts=tuple(words), title=title)
+    wanted = tuple(RequiredIngredient(food, state) for food, state in pairs)
+    return Question(given=Recipe(dish_type, wanted, title=title))
