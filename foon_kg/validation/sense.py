@@ -14,6 +14,9 @@ from foon_kg.world import Happening, Lump, Part, Vessel
 _GROUND = 4
 """As fine as this (crushed, grated), a topping binds what it is stirred into."""
 
+_SLICE = 2
+"""As fine as this are slices."""
+
 _LINED = ("greased", "paper", "foil", "floured")
 """Words by which a node says that nothing sticks to a vessel."""
 
@@ -31,6 +34,7 @@ def sense(case: Case) -> Iterator[Finding]:
     yield from _misread(case)
     yield from _drunk_in_pieces(case)
     yield from _stirred_toppings(case)
+    yield from _stirred_bread(case)
 
 
 def _stirred_toppings(case: Case) -> Iterator[Finding]:
@@ -38,6 +42,17 @@ def _stirred_toppings(case: Case) -> Iterator[Finding]:
     toppings = {part.name for part in _mixed_in_pieces(case) if part.food.is_a("topping")}
     if toppings:
         yield Finding("K7", f"{names(toppings)} belongs on top and is stirred in", minor=True)
+
+
+def _stirred_bread(case: Case) -> Iterator[Finding]:
+    """Yield bread in large pieces, untoasted, that is stirred into what it is eaten with."""
+    if word_list("is eaten with bread").isdisjoint(case.dish_types):
+        return
+    for part in _mixed_in_pieces(case):
+        mixed = part.mixed or 0
+        toasted = part.heated is not None and part.heated < mixed
+        if part.food.is_a("bread") and part.fine <= _SLICE and not toasted:
+            yield Finding("K7", f"{part.name} in such large pieces is stirred in", mixed)
 
 
 def _drunk_in_pieces(case: Case) -> Iterator[Finding]:

@@ -589,6 +589,31 @@ def test_k7_what_belongs_on_top_is_stirred_in():
     assert found("K7", lines(ONE_TOMATO, put)) == []
 
 
+@pytest.mark.parametrize(
+    ("dish", "bread", "told"),
+    [
+        ("salad", "bread (sliced)", True), ("soup", "roll (whole)", True), ("salad", "bread (cubed)", False),
+        ("bread", "bread (sliced)", False), ("salad", "tomato (sliced)", False),
+    ],
+)  # fmt: skip
+def test_k7_slices_of_bread_that_are_stirred_into_what_they_are_eaten_with(dish, bread, told):
+    name = bread.partition(" (")[0]
+    tree = recipe(dish, f"tomato; {bread}") + served(dish, bread, "lettuce").replace(f"{{{bread}", f"{{{name}")
+    tree = tree.replace(f"{bread}, lettuce}}", f"{name}, lettuce}}").replace(
+        f"lettuce, {bread}}}", f"lettuce, {name}}}"
+    )
+    assert [line for line in found("K7", tree) if "large pieces" in line] == (
+        [f"K7 step 1: {name} in such large pieces is stirred in"] if told else []
+    )
+
+
+def test_k7_bread_that_was_toasted_before_may_be_stirred_in():
+    toast = "bread (sliced) + toaster (on) → TOAST → bread (sliced, toasted) + toaster (on)"
+    mixed = served("salad", "bread (sliced, toasted)", "lettuce").replace("{bread (sliced, toasted)", "{bread")
+    told = found("K7", recipe("salad", "bread (sliced); lettuce") + lines(toast, mixed))
+    assert not [line for line in told if "large pieces" in line]
+
+
 def misread(asked, taken):
     food = taken.partition(" (")[0]
     step = f"{taken} + tomato (whole) + plate (empty) → PUT → salad ({{{food}, tomato}}; on plate) + plate ({{salad}})"
