@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import cast
 
-from foon_kg.food import singular
+from foon_kg.food import Tables, singular
 from foon_kg.food.parted import parts_asked
 from foon_kg.food.told_states import in_turn
 from foon_kg.integration.bench import Bench, Done, Stuff
@@ -16,6 +16,7 @@ from foon_kg.integration.teaching.operators import Nearness
 from foon_kg.model import ObjectNode
 from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.tree import Phase, TreeUnit, leaves_of
+from foon_kg.world import Mention
 
 MOST_ALTERNATIVES = 3
 _COOKED = "cooked"
@@ -106,19 +107,28 @@ def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:
     """Return the state that a food had last while it was by itself: the one that somebody made, if any did."""
     if want.cooked and want.asked != _COOKED and bench.known.state(want.asked).needs_heat:
         return _COOKED
-    last: tuple[str, ...] = ()
-    for done in bench.done:
-        if all(mention.thing != stuff.number for mention in done.step.inputs):
-            continue
-        foods = [m for m in done.step.inputs if bench.known.utensil(singular(m.node.label)) is None]
-        if not any(mention.thing == stuff.number for mention in foods):
-            continue
-        told = done.step.inputs if len(foods) > 1 else (*done.step.inputs, *done.step.outputs)
-        last = next((m.node.states for m in reversed(told) if m.thing == stuff.number and m.node.states), last)
-        if len(foods) > 1:
-            break
+    told = list(_told_alone(bench, stuff.number))
+    last = told[-1].node.states if told else ()
     made = [state for state in last if state not in want.leaf]
     return next(iter((*made, *last, *want.leaf)), "")
+
+
+def _told_alone(bench: Bench, number: int) -> Iterator[Mention]:
+    """Yield what steps tell of the states of a food, until it comes together with others."""
+    for done in bench.done:
+        inputs = done.step.inputs
+        foods = _foods_among(inputs, bench.known) if number in [one.thing for one in inputs] else []
+        if number not in foods:
+            continue
+        told = inputs if len(foods) > 1 else (*inputs, *done.step.outputs)
+        yield from (mention for mention in told if mention.thing == number and mention.node.states)
+        if len(foods) > 1:
+            return
+
+
+def _foods_among(mentions: Sequence[Mention], known: Tables) -> list[int | None]:
+    """Return the numbers of what is no utensil."""
+    return [one.thing for one in mentions if known.utensil(singular(one.node.label)) is None]
 
 
 def _assumptions(bench: Bench, cooking: Cooking) -> Iterator[Assumption]:

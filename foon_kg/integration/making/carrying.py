@@ -38,9 +38,8 @@ class Carrier:
         stuff, source = ready.stuff, ready.stuff.at
         if source is vessel:
             return
-        if source is not None and source.label == TAP and vessel.device is not None:
-            jug = self.bench.vessel(JUG)
-            self.bench.bring([stuff], jug, self.bringing.way(Errand.of(ready, jug, slot)))
+        if vessel.device is not None:
+            self._draw(ready, slot)
         attested = self._with_spoon(self.bringing.way(Errand.of(ready, vessel, slot)))
         motion = attested.way[0]
         if motion in word_list("is smeared by"):
@@ -48,6 +47,12 @@ class Carrier:
         smears = motion in word_list("greases") and form_of(self.known, stuff.label, stuff.states) == "soft"
         comes = [stuff, *self._clinging(stuff, source)] if motion in {"pour", "drip"} else [stuff]
         self.bench.bring(comes, vessel, attested, onto=list(vessel.contents) if smears else ())
+
+    def _draw(self, ready: Ready, slot: Slot | None) -> None:
+        """Draw water into a jug for what stands under no tap; whatever else it is stays where it is."""
+        if ready.stuff.at is not None and ready.stuff.at.label == TAP:
+            jug = self.bench.vessel(JUG)
+            self.bench.bring([ready.stuff], jug, self.bringing.way(Errand.of(ready, jug, slot)))
 
     def _clinging(self, stuff: Stuff, source: Vessel | None) -> list[Stuff]:
         """Return the fat in which a food was fried: nobody pours that out of its pan without it."""
@@ -69,7 +74,7 @@ class Carrier:
         attested = self.preparer.opening(ready.want)
         if attested is None:
             raise RefusedError(f"nothing opens {ready.want.label}")
-        state = self.preparer._gives(attested.way, ("shell", "open"))  # noqa: SLF001
+        state = self.preparer.gives(attested.way, ("shell", "open"))
         self.bench.bring([ready.stuff], vessel, attested, (state,))
         ready.whole_shell = False
 

@@ -26,6 +26,7 @@ from foon_kg.integration.making.placing import Placing
 from foon_kg.integration.making.precooking import Precooking
 from foon_kg.integration.making.readying import Readying
 from foon_kg.integration.making.serving import Serving
+from foon_kg.integration.making.stacking import Stacking
 from foon_kg.integration.making.stages import Stages
 from foon_kg.integration.making.turns import Comers, Turn, lines_at, turns_of
 from foon_kg.integration.making.working import Worker
@@ -52,7 +53,8 @@ class Cooking:
         self.readying = Readying(self.alone)
         self.work = Worker(bench, plan)
         self.serving = Serving(bench, plan, self.carry, self.work, self.ready)
-        self.dipping = Dipping(bench, self.carry, self.work, self.ready)
+        self.stacking = Stacking(bench, plan, self.carry, self.work, self.ready)
+        self.dipping = Dipping(bench, plan, self.carry, self.work, self.ready)
         self.stages = Stages(self.course, plan, self.known)
         self.placing = Placing(bench, self.stages, self.carry, self.work, self.ready)
         self.adding = Adding(self.alone, self.placing)
@@ -164,12 +166,12 @@ class Cooking:
         comers = Comers(joins, [one for _, one in beside])
         if vessel is None and not comers:
             return None
-        stacked = turn.main and self.plan.stacked and self.serving.is_put_together(stage, joins, turn.later)
+        stacked = turn.main and self.plan.stacked and self.stacking.is_put_together(stage, joins, turn.later)
         if stacked:
             self._take_all(turn.later, comers, made)
         self._cook_base_now(comers.joins, [*comers.lines, vessel])
         if stacked:
-            return self.serving.stack(stage, vessel, comers)
+            return self.stacking.stack(stage, vessel, comers)
         self.alone.cooling.before(stage, vessel, beside, turn.later)
         if self.dipping.is_for(stage, vessel, comers):
             return self.dipping.done(stage, vessel, comers)

@@ -2,32 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
-from foon_kg.food import Food, Tables
+from foon_kg.food import Food
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, Stuff, Thing, Vessel, foods_of, is_flat
+from foon_kg.integration.bench import Stuff, Thing, Vessel, foods_of, is_flat
 from foon_kg.integration.joining.course import COATS
 from foon_kg.integration.joining.spots import Join
-from foon_kg.integration.making.carrying import Carrier
+from foon_kg.integration.making.hands import Hands
 from foon_kg.integration.making.outcome import MIXTURE
 from foon_kg.integration.making.turns import Comers, without
-from foon_kg.integration.making.working import Worker
-from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import Stage
 
 _COATS = word_list("coats dry") | word_list("coats wet") | word_list("clings to what is coated")
 
 
-class Dipping:
-    """Dips foods on a bench. ``ready`` are the prepared foods by the numbers of what was asked."""
-
-    def __init__(self, bench: Bench, carry: Carrier, work: Worker, ready: Mapping[int, Ready]) -> None:
-        self.bench = bench
-        self.known: Tables = bench.known
-        self.carry = carry
-        self.work = work
-        self.ready = ready
+class Dipping(Hands):
+    """Dips the foods of one dish on a bench."""
 
     def is_for(self, stage: Stage, vessel: Vessel | None, comers: Comers) -> bool:
         """Whether a stage turns what is in ``vessel``, or what joins, in a coat: there may be none for it."""
@@ -68,7 +59,7 @@ class Dipping:
         for line in lines[1:]:
             self.carry.transfer(line, bowl, stage)
         for join in joins:
-            self.carry.bring(self.ready[join.want.number], bowl, join.slot)
+            self.bring(join, bowl)
         if len(bowl.contents) > 1 or any(map(self._is_unbeaten, bowl.contents)):
             self.work.stir(bowl, self._called(foods_of(bowl)))
         return bowl
@@ -94,7 +85,7 @@ class Dipping:
         for one in without(vessels, [plate]):
             self.carry.transfer(one, plate, stage)
         for join in dipped:
-            self.carry.bring(self.ready[join.want.number], plate, join.slot)
+            self.bring(join, plate)
         return plate
 
     def _boards(self, dipped: Sequence[Join]) -> Iterator[Vessel]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping, Sequence
 
-from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel, is_flat, is_heated
 from foon_kg.integration.joining.batters import binds
@@ -14,6 +13,7 @@ from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.bakeware import Bakeware
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.consistency import is_wet
+from foon_kg.integration.making.hands import Hands
 from foon_kg.integration.making.stages import Stages
 from foon_kg.integration.making.turns import Comers, Turn, lines_at
 from foon_kg.integration.making.utensils import Utensils
@@ -22,18 +22,13 @@ from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import BATH, Line, Stage
 
 
-class Placing:
-    """Takes vessels for the stages of one dish; ``ready`` are the prepared foods by the numbers of what was asked."""
+class Placing(Hands):
+    """Takes vessels for the stages of one dish."""
 
     def __init__(self, bench: Bench, stages: Stages, carry: Carrier, work: Worker, ready: Mapping[int, Ready]) -> None:
-        self.bench = bench
-        self.known: Tables = bench.known
+        super().__init__(bench, stages.plan, carry, work, ready)
         self.stages = stages
         self.course = stages.course
-        self.plan = stages.plan
-        self.carry = carry
-        self.work = work
-        self.ready = ready
         self.utensils = Utensils(bench)
         self.bakeware = Bakeware(self.known, self.plan.tin)
 
@@ -75,7 +70,7 @@ class Placing:
                 self.carry.water.add(vessel)
             asked = [join for join in self.course.ordered(stage) if join.want.facts.is_a("water") and not join.on_top]
             for join in asked[:1]:
-                self._bring(join, vessel)
+                self.bring(join, vessel)
         self.bench.place(vessel, device, "on")
 
     def _label_for(self, stage: Stage, vessel: Vessel | None, comers: Comers, *, dressed: bool) -> str:
@@ -124,7 +119,7 @@ class Placing:
         """Bring into a fresh vessel what comes there before what is cooked in it; return whether anything does."""
         under = comers.take(self._lies_under) if self._bakes(fresh.label) else []
         for join in under:
-            self._bring(join, fresh)
+            self.bring(join, fresh)
             self.course.at[id(stage)].remove(join)
         return bool(under)
 
@@ -151,9 +146,6 @@ class Placing:
             if own is not None and own.label == label and not own.storage and len(own.contents) == 1:
                 return own  # it was cooked in such a pan before, and the rest comes to it
         return self.bench.vessel(label)
-
-    def _bring(self, join: Join, vessel: Vessel) -> None:
-        self.carry.bring(self.ready[join.want.number], vessel, join.slot)
 
     def _stand(self, fresh: Vessel, stage: Stage, device: str) -> None:
         """Put a vessel on an appliance, if any, with the water in which something is boiled at once."""

@@ -2,29 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from foon_kg.food import Food
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, Vessel, foods_of
-from foon_kg.integration.joining.course import Plan
+from foon_kg.integration.bench import Vessel, foods_of
 from foon_kg.integration.joining.spots import Join
-from foon_kg.integration.making.carrying import Carrier
+from foon_kg.integration.making.hands import Hands
 from foon_kg.integration.making.outcome import MIXTURE
-from foon_kg.integration.making.working import Worker
-from foon_kg.integration.preparing.preparation import Ready
 
 
-class Smoothing:
-    """Stirs on a bench what binds a sauce; ``ready`` are the prepared foods by the numbers of what was asked."""
-
-    def __init__(self, bench: Bench, plan: Plan, carry: Carrier, work: Worker, ready: Mapping[int, Ready]) -> None:
-        self.bench = bench
-        self.known = bench.known
-        self.plan = plan
-        self.carry = carry
-        self.work = work
-        self.ready = ready
+class Smoothing(Hands):
+    """Stirs on a bench what binds a sauce."""
 
     def made(self, join: Join, vessel: Vessel) -> Vessel | None:
         """Stir a food smooth in a bowl of its own and return that, where it would come dry to a hot liquid."""

@@ -166,7 +166,7 @@ class Preparer(Treater):
         ways = self.with_a_fit_tool("shell", ways, ready.want)
         attested = self.bench.require(ways, ready.want.names, act=True)
         kept = {s for s in ready.stuff.states if not self.known.state(s).undivided} - {"washed"}
-        self.bench.act(ready.stuff, attested, tuple(sorted({*kept, self._gives(attested.way, ("peel",))})))
+        self.bench.act(ready.stuff, attested, tuple(sorted({*kept, self.gives(attested.way, ("peel",))})))
         cut = self._cut_state(ready.want, form, owed(ready.want, self.known), divided=True)
         if cut:
             self._cut(ready, cut)

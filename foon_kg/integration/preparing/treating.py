@@ -79,7 +79,7 @@ class Treater(Cutter):
     def _state_when_treated(self, want: Want, way: Way, does: Sequence[str]) -> str:
         """Return the asked state where ``way`` gives that and it is no cut, else what such a treatment gives."""
         asked = want.make in self.known.motion(way[0]).gives and not self.is_asked_cut(want)
-        return want.make if asked else self._gives(way, does)
+        return want.make if asked else self.gives(way, does)
 
     def _kept(self, stuff: Stuff, name: str) -> list[str]:
         """Return the states that a food keeps when it is treated; what was taken for whole with its peel still is."""
@@ -91,7 +91,7 @@ class Treater(Cutter):
         """Whether the asked state says that a treatment was done."""
         return bool(want.make) and name in self.known.state(want.make).earns
 
-    def _gives(self, way: Way, does: Sequence[str]) -> str:
+    def gives(self, way: Way, does: Sequence[str]) -> str:
         """Return the state that a treatment gives: the one that the FOON tells most often, else the table's."""
         fit = [s for s, ways in self.operators.giving.items() if way in ways and self.known.state(s).earns & {*does}]
         fit.sort(key=lambda s: (-self.operators.giving[s][way], s))
