@@ -189,6 +189,8 @@ def want(food, state=""):
         ("chicken", "raw", "raw", "", None),
         ("bean", "canned", "canned", "", None),
         ("lemon", "juiced", "whole", "juiced", None),
+        ("lemon", "zested", "whole", "zest", "zest"),
+        ("orange", "minced", "whole", "zest", "zest"),
         ("carrot", "grated", "whole", "grated", None),
     ],
 )

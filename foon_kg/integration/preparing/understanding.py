@@ -85,7 +85,9 @@ def _cut_by_name(want: Want, known: Tables) -> Want:
 
 def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
     """Return a required food with its state as it is understood: sold so, made so, or a crude word for something."""
-    if one.state not in word_list("asks for what is grated off"):
+    fine = one.state in word_list("is so when it is grated off")
+    fine = fine and _is_grated_off(one.object, known.foods.food(one.object, [one.state]), known)
+    if not fine and one.state not in word_list("asks for what is grated off"):
         return _in_a_package(_as_asked(number, one, known, operators))
     (state,) = word_list("is grated off the whole")
     return replace(_as_asked(number, replace(one, state=state), known, operators), asked=one.state, read_as=state)
