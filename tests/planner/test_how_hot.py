@@ -112,3 +112,15 @@ def test_noodles_are_boiled_in_the_broth_that_they_are_eaten_in(public_plans, ti
 def test_noodles_with_a_sauce_are_boiled_by_themselves(public_plans, title, foods):
     units = public_plans("noodle", title, *BROTH, *foods).units
     assert "strainer" in {node.label for unit in units for node in unit.input_nodes}
+
+
+def test_noodles_that_are_asked_done_are_boiled_in_their_broth_too_and_leftovers_are_not(public_plans):
+    def boiled(state):
+        foods = (*(food for food in BROTH if not food.startswith("noodle")), f"noodle:{state}", "stock:liquid")
+        return "strainer" not in {
+            node.label for one in public_plans("noodle", "", *foods).units for node in one.input_nodes
+        }
+
+    assert boiled("cooked")
+    assert boiled("baked")
+    assert not boiled("leftover")

@@ -23,7 +23,7 @@ from foon_kg.integration.composing.parts import Part, baked_at_last, with_parts
 from foon_kg.integration.composing.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.composing.poured_over import dressed_apart
 from foon_kg.integration.composing.pureed import blended_when_done, is_stewed, stewed
-from foon_kg.integration.composing.swelling import is_eaten_with_its_bath, is_soaked_up
+from foon_kg.integration.composing.swelling import boiled_there, is_eaten_with_its_bath, is_soaked_up
 from foon_kg.integration.composing.techniques import as_a_way_says, carried_out
 from foon_kg.integration.composing.thickened import sauce_apart
 from foon_kg.integration.composing.warmed import for_many, garnished, is_heated, stirred
@@ -134,7 +134,7 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
         cold = is_never_heated(called.dishes, joins, known)
         line, joins = blended_when_done(line, joins, told, cold=cold)
     elif one_pot:
-        line, joins = stewed(joins)
+        line, joins = stewed(boiled_there(joins) if bathed else joins)
     if is_formed(called.dishes, joins):
         line, joins = formed_within(line, joins, known)
     return Arranged(line, tuple(joins), one_pot)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
+from dataclasses import replace
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.spots import Join, any_is
@@ -37,10 +38,22 @@ def is_eaten_with_its_bath(joins: Sequence[Join], title: Sequence[str], dish_typ
     said = not title or not word_list("is eaten with its bath").isdisjoint(title)
     if not said or dish_type not in word_list("may be eaten with its bath"):
         return False
-    raw = [join for join in joins if not join.want.cooked]
     wet = any(join.want.facts.is_of(*word_list("swells what is small")) for join in joins)
     bound = any_is(joins, *word_list("makes a sauce of a bath"))
-    return any_is(raw, *word_list("is boiled by itself")) and wet and not bound and not _is_baked(joins)
+    return any(map(_boils_there, joins)) and wet and not bound and not _is_baked(joins)
+
+
+def boiled_there(joins: Sequence[Join]) -> tuple[Join, ...]:
+    """Return joins of which none is boiled by itself that is eaten with its bath, though it is asked done."""
+    return tuple(
+        replace(join, want=replace(join.want, cooked=False, make="")) if _boils_there(join) else join for join in joins
+    )
+
+
+def _boils_there(join: Join) -> bool:
+    """Whether a food is boiled by itself in other dishes, and is no leftover."""
+    left = join.want.asked in word_list("only what was cooked is so")
+    return join.want.facts.is_a(*word_list("is boiled by itself")) and not left
 
 
 def _is_baked(joins: Sequence[Join]) -> bool:
