@@ -9,7 +9,7 @@ from foon_kg.food import Tables, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.course import COATS
 from foon_kg.integration.joining.patterns import BAKE, COOK, MIX, SIMMER, STIR, TOP, TURN
-from foon_kg.integration.joining.spots import NATURAL, Join
+from foon_kg.integration.joining.spots import NATURAL, Join, any_is
 from foon_kg.integration.preparing.preparation import Want, owed
 from foon_kg.integration.teaching.frames import Line, Stage
 
@@ -36,24 +36,38 @@ def coated_alone(
     ``baked``: it is fried in the oven, as people say. Nothing changes where there is no such flesh, or where something
     else has to be cooked too.
     """
-    rough = _any_is(joins, *_ROUGH)
+    rough = any_is(joins, *_ROUGH)
     kinds = _COATED | word_list("is coated where it is rough") if rough else _COATED
     flesh = _raw_flesh(joins, kinds)
     whole = len(flesh) == 1 and is_portion(flesh[0].want, known)
-    wet = any(join.want.facts.is_a("cooking liquid") and not join.want.facts.is_a(*_WET) for join in joins)
     if len(flesh) != 1 or (_is_shaped(line) and not whole) or _cooks_others(joins, flesh, known):
         return line, tuple(joins)
-    dusted = _any_is(joins, "flour") and _any_is(joins, "fat") and (whole or not wet)
-    if not (rough or dusted):
+    wet = _has_liquid(joins)
+    if not rough and not (_is_dusted(joins) and (whole or not wet)):
         return line, tuple(joins)
-    if _any_is(joins, *word_list("melts on top")):
-        under = replace(BAKE)
-        below = sorted(joins, key=lambda join: join.want.facts.is_a(*word_list("melts on top")))
-        return coated_apart(Line((under,)), [_at(join, under) for join in below], kinds)
+    if any_is(joins, *word_list("melts on top")):
+        return _baked_under(joins, kinds)
     if baked and not wet:
         return _on_a_tray(joins, kinds)
-    sauce = replace(SIMMER if wet else COOK if whole else STIR)  # a fried piece that is stirred falls to pieces
-    return _in_a_sauce(sauce, joins, kinds)
+    if wet:
+        return _in_a_sauce(replace(SIMMER), joins, kinds)
+    return _in_a_sauce(replace(COOK if whole else STIR), joins, kinds)  # a fried piece that is stirred falls to pieces
+
+
+def _has_liquid(joins: Sequence[Join]) -> bool:
+    """Whether a liquid is there to cook in, beside what flesh is turned in."""
+    return any(join.want.facts.is_a("cooking liquid") and not join.want.facts.is_a(*_WET) for join in joins)
+
+
+def _is_dusted(joins: Sequence[Join]) -> bool:
+    return any_is(joins, "flour") and any_is(joins, "fat")
+
+
+def _baked_under(joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how flesh is coated, and baked under what melts on top of it."""
+    under = replace(BAKE)
+    below = sorted(joins, key=lambda join: join.want.facts.is_a(*word_list("melts on top")))
+    return coated_apart(Line((under,)), [_at(join, under) for join in below], kinds)
 
 
 def _on_a_tray(joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
@@ -83,10 +97,6 @@ def _in_a_sauce(sauce: Stage, joins: Sequence[Join], kinds: Collection[str]) -> 
     return Line((*made.stages, top)), (*found, *(_at(join, top) for join in over))
 
 
-def _any_is(joins: Sequence[Join], *kinds: str) -> bool:
-    return any(join.want.facts.is_a(*kinds) for join in joins)
-
-
 def _raw_flesh(joins: Sequence[Join], kinds: Collection[str]) -> list[Join]:
     """Return what is raw of those kinds; minced flesh is mixed with what would coat it, and never turned in that."""
     raw = [join for join in joins if join.want.facts.is_a(*kinds) and not _is_done(join.want)]
@@ -110,9 +120,9 @@ def _is_done(want: Want) -> bool:
 
 def is_portion(want: Want, known: Tables) -> bool:
     """Whether flesh comes in portions and is not asked cut."""
-    fine = known.state(want.make).fine or 0 if want.make else 0
+    whole = not want.make or known.state(want.make).fineness == 0
     minced = want.facts.is_a(*word_list("patties are made of"))
-    return not minced and fine == 0 and not word_list("is a portion").isdisjoint(words(want.label))
+    return whole and not minced and not word_list("is a portion").isdisjoint(words(want.label))
 
 
 def _at(join: Join, stage: Stage) -> Join:
@@ -131,33 +141,43 @@ def coated_apart(
     if len(flesh) != 1 or not dry:
         return line, tuple(joins)
     wet = _what_wets(joins, dry)
-    dust = [join for join in dry if not join.want.facts.is_a(*_ROUGH)]  # it lets the wash cling to it
-    if len(dust) == len(dry) or not wet:
-        dust = []
-    wash = Line((replace(_MIX, label=_THICK if _any_is(wet, "egg") else ""),))
-    powder = Line((replace(_MIX, label=_FINE if _any_is(dry, "flour") else ""),))
-    dusted = replace(_BATH)
-    bathed = replace(_BATH, adds=(wash,))
-    rolled = replace(_BATH, adds=(powder,))
+    dust = _what_dusts(dry) if wet else []
+    wash = replace(_MIX, label=_THICK if any_is(wet, "egg") else "")
+    powder = replace(_MIX, label=_FINE if any_is(dry, "flour") else "")
+    dusted, bathed = replace(_BATH), replace(_BATH, adds=(Line((wash,)),))
+    rolled = replace(_BATH, adds=(Line((powder,)),))
     hot = (replace(COOK), replace(TURN), replace(COOK)) if heats else ()
-    last = line.stages[-1]
     first = (dusted, bathed) if dust else (bathed,)
+    last = line.stages[-1]
     served = replace(last, adds=(*last.adds, Line((*first, rolled, *hot))))
     rest = [join for join in (*dry, *_what_seasons(joins)) if join not in dust]
-    places = [(wet, wash.stages[0]), (rest, powder.stages[0]), ([*flesh, *dust], first[0])]
-    places += [(_frying_fat(joins), hot[0])] if hot else []
-    after = (*hot, served)
+    places = [(wet, wash), (rest, powder), ([*flesh, *dust], first[0]), *((_frying_fat(joins), one) for one in hot[:1])]
     found = []
     for join in joins:
-        stage = next((stage for some, stage in places if any(one is join for one in some)), None)
+        stage = _place_of(join, places)
         if stage is not None:
             want = replace(join.want, cooked=False) if join in flesh else join.want
-            found.append(Join(want, replace(join.spot, stage=stage, post=_POST, after=after, side=True), NATURAL))
-        elif join.spot.stage is last:
-            found.append(replace(join, spot=replace(join.spot, stage=served)))
+            spot = replace(join.spot, stage=stage, post=_POST, after=(*hot, served), side=True)
+            found.append(Join(want, spot, NATURAL))
         else:
-            found.append(join)
+            found.append(_served_at(join, last, served))
     return Line((*line.stages[:-1], served)), tuple(found)
+
+
+def _place_of(join: Join, places: Sequence[tuple[Sequence[Join], Stage]]) -> Stage | None:
+    """Return the stage beside the first of the foods among which this very one is; ``None`` for none."""
+    return next((stage for some, stage in places if any(one is join for one in some)), None)
+
+
+def _served_at(join: Join, last: Stage, served: Stage) -> Join:
+    """Return a food at ``served`` if it joined the ``last`` stage of a line."""
+    return replace(join, spot=replace(join.spot, stage=served)) if join.spot.stage is last else join
+
+
+def _what_dusts(dry: Sequence[Join]) -> list[Join]:
+    """Return what flesh is turned in first, so that the wash clings to it, where something else makes the crust."""
+    dust = [join for join in dry if not join.want.facts.is_a(*_ROUGH)]
+    return dust if len(dust) < len(dry) else []
 
 
 def _what_wets(joins: Sequence[Join], dry: Sequence[Join]) -> list[Join]:

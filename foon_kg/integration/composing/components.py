@@ -14,7 +14,8 @@ from dataclasses import dataclass, replace
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Component, Foods, Technique, components, works
-from foon_kg.integration.composing.techniques import carried_out, means, stage_of
+from foon_kg.integration.composing.dealing import means
+from foon_kg.integration.composing.techniques import carried_out, stage_of
 from foon_kg.integration.joining.course import HEATS, MIXES
 from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
 from foon_kg.integration.joining.spots import NATURAL, Join, Spot, only_carries, spots_of

@@ -6,6 +6,7 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
+from foon_kg.food import Food
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.spots import Join, any_is
 
@@ -16,18 +17,29 @@ def is_soaked_up(joins: Sequence[Join], told: Sequence[str]) -> bool:
     That is so where a title (``told`` are its words) says that all is made in one vessel, and with what is so small
     that it needs no more than what it is asked with. A liquid that is bound to a sauce is none to cook in.
     """
-    facts = [join.want.facts for join in joins]
-    dry = [join.want for join in joins if join.want.facts.is_a(*word_list("swells"))]
-    raw = [want.facts for want in dry if "boil" in want.facts.owes and not want.cooked]
-    bound = any(one.is_a(*word_list("binds a mass or a sauce")) for one in facts)
-    if not raw or bound or _is_baked(joins):
+    raw = [join.want.facts for join in joins if _is_raw_and_swells(join)]
+    if not raw or any_is(joins, *word_list("binds a mass or a sauce")) or _is_baked(joins):
         return False
-    named = {*told, *map(" ".join, itertools.pairwise(told))}
-    in_one = not word_list("says that all is in one vessel").isdisjoint(named)
-    large = [one for one in raw if one.is_a(*word_list("is boiled by itself"))]
-    small = bool(large) and all(one.is_a(*word_list("soaks up its liquid")) for one in large)
+    in_one = _is_in_one_vessel(told)
     liquids = word_list("swells what is dry" if in_one else "swells what is small")
-    return (in_one or small) and any(one.is_of(*liquids) for one in facts)
+    return (in_one or _are_small(raw)) and any(join.want.facts.is_of(*liquids) for join in joins)
+
+
+def _is_raw_and_swells(join: Join) -> bool:
+    want = join.want
+    return want.facts.is_a(*word_list("swells")) and "boil" in want.facts.owes and not want.cooked
+
+
+def _is_in_one_vessel(told: Sequence[str]) -> bool:
+    """Whether the words of a title, by themselves or two together, say that all is made in one vessel."""
+    named = {*told, *map(" ".join, itertools.pairwise(told))}
+    return not word_list("says that all is in one vessel").isdisjoint(named)
+
+
+def _are_small(foods: Sequence[Food]) -> bool:
+    """Whether of what swells all that is boiled by itself elsewhere is small, and needs little to swell in."""
+    large = [one for one in foods if one.is_a(*word_list("is boiled by itself"))]
+    return bool(large) and all(one.is_a(*word_list("soaks up its liquid")) for one in large)
 
 
 def is_eaten_with_its_bath(joins: Sequence[Join], title: Sequence[str], dish_type: str) -> bool:

@@ -3,23 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 
-from foon_kg.food import Level, Tables, singular, tables, words
-from foon_kg.food.lists import word_list
-from foon_kg.food.rows import Dish
+from foon_kg.food import Level, Tables, tables, words
+from foon_kg.food.rows import Dish, State
 from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques_called, ways, works
-from foon_kg.integration.composing.coated import is_portion
+from foon_kg.integration.composing.dealing import MAIN, dealt, has_its_foods
 from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
-from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want, owed
+from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
 from foon_kg.integration.teaching.frames import BATH, Line, Phase, Slot, Stage
 from foon_kg.integration.teaching.operators import form_of
-
-_MAIN = "dish"
-"""The line of a technique that makes the dish."""
 
 
 def technique_for(
@@ -35,13 +31,13 @@ def technique_for(
     own = set(told)
     taught = [(words(label), foods) for label, foods in recorded if own.issuperset(words(label))]
     parts = {want.part for want in wants} - {""}
-    for one in techniques_called(dish_type, told):
-        if not one.is_called(dish_type, told):
-            continue
+
+    def is_taught(one: Technique) -> bool:
         told_apart = "by table" in one.plan or not parts.isdisjoint(one.lines)
-        if not told_apart and any(_teaches(label, foods, one) for label, foods in taught):
-            continue
-        if has_its_foods(one, wants, around):
+        return not told_apart and any(_teaches(label, foods, one) for label, foods in taught)
+
+    for one in techniques_called(dish_type, told):
+        if one.is_called(dish_type, told) and not is_taught(one) and has_its_foods(one, wants, around):
             return one
     return None
 
@@ -78,11 +74,15 @@ def as_a_way_says(
     around = Around([want.facts for want in wants], told)
     dishes, shown = tuple(dishes), _shown(line) | ({"baked"} if baked else set())
     for one in ways(when):
-        fits = all(any(getattr(dish, name) for dish in dishes) is holds for name, holds in map(_asked, one.dishes))
-        fits = fits and all((name in shown) is holds for name, holds in map(_asked, one.video))
+        fits = _is_for(one, dishes) and all((name in shown) is holds for name, holds in map(_asked, one.video))
         if fits and one.is_called("", told) and has_its_foods(one, wants, around):
             return carried_out(one, joins, told, known)
     return line, tuple(joins)
+
+
+def _is_for(one: Technique, dishes: Sequence[Dish]) -> bool:
+    """Whether a way is one for dishes that are called so."""
+    return all(any(getattr(dish, name) for dish in dishes) is holds for name, holds in map(_asked, one.dishes))
 
 
 def _asked(text: str) -> tuple[str, bool]:
@@ -96,21 +96,12 @@ def _shown(line: Line) -> set[str]:
     return found.union(*(stage.does for stage in line.all_stages()))
 
 
-def has_its_foods(one: Technique, wants: Sequence[Want], around: Around) -> bool:
-    """Whether the foods of a recipe are those that a row needs."""
-    if not all(any(means(some, want, around) for some in need for want in wants) for need in one.needs):
-        return False
-    if any(means(some, want, around) for some in one.without for want in wants):
-        return False
-    return all(sum(means(some, want, around) for want in wants) == 1 for some in one.one)
-
-
 def carried_out(
     technique: Technique, joins: Sequence[Join], told: Sequence[str], known: Tables
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return the line of a technique with every food at the stage that is for it; ``told`` are the title's words."""
-    placed = _Placed(technique, joins, Around([join.want.facts for join in joins], told), known)
-    line = placed.line(_MAIN)
+    placed = _Placed(technique, joins, Around([join.want.facts for join in joins], told))
+    line = placed.line(MAIN)
     spots = {id(spot.stage): spot for spot in spots_of(line)}
     found = []
     for number, (join, foods, part) in enumerate(placed.found):
@@ -134,73 +125,13 @@ def stage_of(name: str) -> Stage:
 class _Placed:
     """Which food joins at which part of a technique, and the stages of these parts."""
 
-    def __init__(self, technique: Technique, joins: Sequence[Join], around: Around, known: Tables) -> None:
+    def __init__(self, technique: Technique, joins: Sequence[Join], around: Around) -> None:
         self.technique = technique
-        self.around = around
-        self.known = known
         self.highest = max(SECOND, *(join.want.number for join in joins))
         self.stages: dict[int, Stage] = {}
-        self.found = list(self._found(joins))
-        self.used = {id(part) for _, _, part in self.found}
+        self.found = dealt(technique, joins, around)
+        self.used = {id(one.part) for one in self.found}
         self.taken: set[str] = set()
-
-    def _found(self, joins: Sequence[Join]) -> Iterator[tuple[Join, Foods, Part]]:
-        lines = self.technique.lines
-        wishes = [(foods, part, name) for name, parts in lines.items() for part in parts for foods in part.foods]
-        wishes.sort(key=lambda wish: (wish[0].again, wish[0].is_rest))
-        told = {join.want.part for join in joins} & (lines.keys() - {_MAIN})
-        apart = told if any(foods.is_rest for foods, _, _ in wishes) else set()
-        once: dict[int, tuple[Join, Foods, Part]] = {}
-        taken: dict[int, str] = {}
-        for line in sorted(told):  # what a recipe says of it itself comes before all
-            meant = [(replace(foods, again=False), part) for foods, part, name in wishes if name == line]
-            for join in (join for join in joins if join.want.part == line):
-                wish = next((wish for wish in meant if means(wish[0], join.want, self.around)), meant[0])
-                taken[join.want.number], once[join.want.number] = line, (join, *wish)
-        more: list[tuple[Join, Foods, Part]] = []
-        for foods, part, name in wishes:
-            found = [join for join in joins if means(foods, join.want, self.around)]
-            if foods.again:
-                found = [join for join in found if taken.get(join.want.number) != name]
-                beside = {one.want.part for one, _, at in once.values() if at in lines[name]} - {"", *told}
-                said = [join for join in found if join.want.part in beside]
-                once |= {join.want.number: (join, replace(foods, again=False), part) for join in said}
-                found = [join for join in found if not join.want.part]
-                more += self._again(found, foods, part, once) if not said else ()
-            for join in found if name not in apart and not foods.again else ():
-                if join.want.number not in once:
-                    taken[join.want.number] = name if foods.is_rest else ""  # else two of it are meant: layers
-                    once[join.want.number] = (join, foods, part)
-        for join in joins:
-            if join.want.number not in once and once:
-                once[join.want.number] = self._beside(join, list(once.values()))
-        yield from once.values()
-        yield from more
-
-    def _beside(self, join: Join, placed: Sequence[tuple[Join, Foods, Part]]) -> tuple[Join, Foods, Part]:
-        """Return a food that no stage names where the one joins that is listed nearest, for the same part if any is."""
-        number, told = join.want.number, join.want.part
-        _, _, part = min(placed, key=lambda one: (one[0].want.part != told, abs(one[0].want.number - number)))
-        return join, Foods(("*",)), part
-
-    def _again(
-        self, found: Sequence[Join], foods: Foods, part: Part, once: dict[int, tuple[Join, Foods, Part]]
-    ) -> Iterator[tuple[Join, Foods, Part]]:
-        """Yield the second portions that join a part; what a recipe names twice is two portions already.
-
-        Of those the one joins that stands nearest, in the recipe, to the other foods of the part.
-        """
-        there = [join.want.number for join, _, at in once.values() if at is part]
-        labels = Counter(singular(join.want.label) for join in found)
-        for label in labels:
-            alike = [join for join in found if singular(join.want.label) == label]
-            if len(alike) > 1 and not any(join.want.number in there for join in alike):
-                near = min(alike, key=lambda join: min((abs(join.want.number - n) for n in there), default=0))
-                once[near.want.number] = (near, replace(foods, again=False), part)
-            elif len(alike) == 1 and alike[0].want.number not in once:
-                once[alike[0].want.number] = (alike[0], replace(foods, again=False), part)
-            elif len(alike) == 1 and alike[0].want.number not in there:
-                yield alike[0], foods, part
 
     def line(self, name: str) -> Line:
         """Return one line of the technique, with those that join it: each where it is named first."""
@@ -260,44 +191,21 @@ class _Placed:
         return part.label or usual
 
 
-def means(foods: Foods, want: Want, around: Around) -> bool:
-    """Whether a food of a recipe is one of those that a text of the table means."""
-    return foods.mean(want.label, want.facts, _states(want) if foods.state else (), around)
-
-
-def _states(want: Want) -> set[str]:
-    """Return what is said of a food: its states, and what ways ask of how it is named and comes."""
-    known, label = tables(), want.label
-    fine = known.state(want.make).fine or 0 if want.make else 0
-    due = {"cook", "boil"} & owed(want, known)
-    mash = {want.make, want.then} & word_list("only what is soft is so")
-    said = {
-        "in one piece": not want.make,
-        "in pieces": fine > 1,
-        "portion": is_portion(want, known),
-        "due": bool(due),
-        "raw": "cook" in due and not (want.cooked and want.make),
-        "runs": want.squeezed or want.asked in word_list("runs"),
-        "several": label != singular(label) or not word_list("is asked twofold").isdisjoint(words(label)),
-        "as mash": bool(mash) or "made" in want.facts.traits,
-    }
-    return {want.asked, want.make, want.then, *want.leaf, *(name for name, holds in said.items() if holds)}
-
-
 def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | None]:
     """Return a food as a technique takes it, with the slot that says how it is cooked before."""
     if not foods.made:
         return want, None
     row = preparations()[foods.made]
     slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
-    cut = bool(want.make) and bool(known.state(want.make).fine)
+    asked = known.state(want.make) if want.make else State("")
+    cut = asked.fineness > 0
+    # what is asked peeled is peeled, and then halved
+    owes = dict.fromkeys(sorted(asked.earns & BY_HAND), Level.MINOR) | dict(want.facts.owes)
+    kept = {name: level for name, level in owes.items() if name not in row.get("waives", ())}
     want = replace(want, cooked=row.get("said", want.cooked))
-    by_hand = dict.fromkeys(sorted(known.state(want.make).earns & BY_HAND) if want.make else (), Level.MINOR)
     if "make" in row and (row.get("always") or not cut):
         squeezed = row["make"] == JUICE and form_of(known, want.label, want.leaf) == "whole"
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")), squeezed=squeezed)
     if "then" in row and not want.then and not cut:
         want = replace(want, then=row["then"], cooked=True)
-    owes = by_hand | dict(want.facts.owes)  # what is asked peeled is peeled, and then halved
-    kept = {name: level for name, level in owes.items() if name not in row.get("waives", ())}
     return replace(want, facts=replace(want.facts, owes=kept)), slot

@@ -8,7 +8,7 @@ from dataclasses import replace
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.patterns import STIR, with_line
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.teaching.frames import Line
 
 
@@ -20,9 +20,7 @@ def sauce_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ..
     flour = next((join for join in joins if join.want.facts.is_a("flour")), None)
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     baths = [join for join in joins if join.want.facts.is_of(*word_list("is a bath"))]
-    savoury = any(join.want.facts.is_a(*word_list("is eaten with a sauce of flour")) for join in joins)
-    batter = any(join.want.facts.is_a("leaven", *word_list("makes no sauce of flour")) for join in joins)
-    if flour is None or not fats or not baths or not savoury or batter:
+    if flour is None or not fats or not baths or not _are_for_a_sauce(joins):
         return line, tuple(joins)
     meets = baths[0].spot.stage
     if not meets.does.isdisjoint(HEATS) or not flour.spot.stage.does.isdisjoint(HEATS):
@@ -42,3 +40,9 @@ def sauce_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ..
         return replace(join, spot=replace(spot, stage=pan, after=(first, *rest), side=True), slot=None)
 
     return line, tuple(moved(join) for join in joins)
+
+
+def _are_for_a_sauce(joins: Sequence[Join]) -> bool:
+    """Whether a sauce of flour goes with what is there, and nothing makes a batter or dough of it."""
+    batter = any_is(joins, "leaven", *word_list("makes no sauce of flour"))
+    return any_is(joins, *word_list("is eaten with a sauce of flour")) and not batter
