@@ -7,9 +7,10 @@ from dataclasses import replace
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import fineness
 from foon_kg.integration.composing.coated import coated_apart
 from foon_kg.integration.joining.patterns import COOK, MIX, SHAPE, SIMMER, STIR, TOP, TURN
-from foon_kg.integration.joining.spots import NATURAL, Join
+from foon_kg.integration.joining.spots import NATURAL, Join, any_is
 from foon_kg.integration.preparing.preparation import Want, as_mash, owed
 from foon_kg.integration.teaching.frames import Line, Stage
 
@@ -40,20 +41,16 @@ class _Body:
     def __init__(self, joins: Sequence[Join], told: Collection[str], known: Tables) -> None:
         self.joins = joins
         self.known = known
-        self.falls_apart = any(self._falls_apart(join) for join in joins)
-        self.raw = [join for join in joins if self._is_raw(join)]
+        self.falls_apart = any(map(self._falls_apart, joins))
+        self.raw = list(filter(self._is_raw, joins))
         shaped = not word_list("holds patties").isdisjoint(told)
         mass = self._mass(shaped=shaped)
-        self.shaped = bool(mass) and shaped
-        flesh = [join for join in self.raw if join.want.facts.is_a(*word_list("is coated")) and join not in mass]
-        alone = flesh[0] if len(flesh) == 1 and not mass else None
-        self.braised = alone is not None and self._is_braised(alone)
-        in_pieces = alone is not None and self._is_cut(alone) and self._has_more_for_the_pan()
-        self.loose = (bool(mass) and not self.shaped) or in_pieces or self.braised
-        self.main = mass or (flesh if len(flesh) == 1 else [])
-        fried = [join for join in joins if join.want.facts.is_a(*word_list("is fried to be stacked"))]
-        if not self.main and not self.raw:
-            self.main = fried
+        lone = self._lone_flesh(mass)
+        self.shaped = shaped and bool(mass)
+        self.braised = any(map(self._is_braised, lone))
+        self.loose = self.braised or self._is_fried_in_pieces(lone) or bool(mass and not shaped)
+        fried = self._are("is fried to be stacked")
+        self.main = mass or lone or (fried if not self.raw else [])
         self.fried = [join for join in fried if join not in self.main]
 
     def _mass(self, *, shaped: bool) -> list[Join]:
@@ -61,7 +58,7 @@ class _Body:
 
         Else what falls apart: in shreds it is shaped, too.
         """
-        able = [join for join in self.joins if join.want.facts.is_a(*word_list("patties are made of"))]
+        able = self._are("patties are made of")
         raw = [join for join in able if join in self.raw]
         if raw or not shaped:
             return raw
@@ -71,12 +68,15 @@ class _Body:
         wet = any(join.want.facts.is_of(*word_list("is braised in")) for join in self.joins)
         return wet and flesh.want.facts.is_of(*word_list("is braised"))
 
-    def _is_cut(self, join: Join) -> bool:
-        return bool(join.want.make) and (self.known.state(join.want.make).fine or 0) > 1
+    def _lone_flesh(self, mass: Sequence[Join]) -> list[Join]:
+        """Return the one piece of raw flesh on the bread; none beside a ``mass``, or where there are several."""
+        flesh = [join for join in self.raw if join.want.facts.is_a(*word_list("is coated"))]
+        return flesh if len(flesh) == 1 and not mass else []
 
-    def _has_more_for_the_pan(self) -> bool:
-        """Whether vegetables are there that are fried with what lies on the bread."""
-        return any(join.want.facts.is_a(*word_list("is fried with pieces of flesh")) for join in self.joins)
+    def _is_fried_in_pieces(self, flesh: Sequence[Join]) -> bool:
+        """Whether flesh is asked cut, and vegetables are there that are fried with it."""
+        cut = any(fineness((join.want.make,), self.known) > 1 for join in flesh)
+        return cut and any_is(self.joins, *word_list("is fried with pieces of flesh"))
 
     def _falls_apart(self, join: Join) -> bool:
         """Whether flesh is asked in shreds: it is boiled by itself and falls apart then."""
@@ -90,26 +90,37 @@ class _Body:
 
     def line(self) -> tuple[Line, tuple[Join, ...]]:
         """Return the line and where its foods join."""
-        dry = [join for join in self.joins if join.want.facts.is_a(*word_list("coats dry"))]
         top = replace(TOP)
-        if dry and not self.shaped and self.main[0].want.facts.is_a(*word_list("is coated")):
+        if self._is_coated():
             rest = [_at(join, top, ()) for join in self.joins if join not in self.fried]
             line, found = coated_apart(Line((top,)), rest)
             return self._with_fried(line, found)
-        mix, heat, turn, done = replace(_MIX), replace(COOK), replace(TURN), replace(COOK)
-        stages: tuple[Stage, ...] = (mix, replace(SHAPE), heat, turn, done) if self.shaped else (heat, turn, done)
+        mix, heat = replace(_MIX), replace(COOK)
         if self.loose:
             heat = replace(SIMMER, vessel="pot", label="mixture") if self.braised else replace(STIR, label="mixture")
-            stages = (heat,)
+        stages = self._stages(mix, heat)
         top = replace(top, adds=(Line(stages),))
-        found = tuple(
-            _at(self._mashed(join, stage, mix), stage, (*stages[stages.index(stage) + 1 :], top))
-            if (stage := self._stage_of(join, mix if self.shaped else heat, heat)) is not None
-            else _at(join, top, ())
-            for join in self.joins
-            if join not in self.fried
-        )
-        return self._with_fried(Line((top,)), found)
+
+        def placed(join: Join) -> Join:
+            stage = self._stage_of(join, stages[0], heat)
+            if stage is None:
+                return _at(join, top, ())
+            after = (*stages[stages.index(stage) + 1 :], top)
+            return _at(self._mashed(join, stage, mix), stage, after)
+
+        return self._with_fried(Line((top,)), [placed(join) for join in self.joins if join not in self.fried])
+
+    def _is_coated(self) -> bool:
+        """Whether what lies on the bread is a piece of flesh that something coats."""
+        dry = any_is(self.joins, *word_list("coats dry"))
+        return dry and not self.shaped and self.main[0].want.facts.is_a(*word_list("is coated"))
+
+    def _stages(self, mix: Stage, heat: Stage) -> tuple[Stage, ...]:
+        """Return the stages at which what lies on the bread is made: shaped if it is a mass, fried on both sides."""
+        if self.loose:
+            return (heat,)
+        both_sides = (heat, replace(TURN), replace(COOK))
+        return (mix, replace(SHAPE), *both_sides) if self.shaped else both_sides
 
     def _mashed(self, join: Join, stage: Stage, mix: Stage) -> Join:
         """Return a food as it can be shaped, where it is mixed for that."""
@@ -142,27 +153,37 @@ class _Body:
 
     def _is_bound(self, want: Want) -> bool:
         """Whether a food is mixed into what is shaped."""
-        cut = max((self.known.state(state).fine or 0 for state in (want.make, *want.leaf) if state), default=0)
-        in_pieces = 0 < cut < _SMALL  # what is asked in slices or rings is laid on it
-        binds_it = word_list("binds a mass") | word_list("is bound with it")
-        binds_it |= word_list("is cooked and mashed to be shaped")
-        carries = want.facts.is_a(*word_list("carries what is stacked"))
-        binds = (want.facts.is_a(*binds_it) and not in_pieces and not carries) or (
-            cut >= _SMALL and want.facts.is_a("vegetable")
-        )
-        binds = binds and not want.facts.is_a(*word_list("lies on patties"))
-        return self.shaped and (binds or self._is_listed_inside(want, cut))
+        cut = fineness((want.make, *want.leaf), self.known)
+        if not self.shaped:
+            return False
+        binds = self._binds(want, cut) and not want.facts.is_a(*word_list("lies on patties"))
+        return binds or self._is_listed_inside(want, cut)
+
+    def _binds(self, want: Want, cut: int) -> bool:
+        """Whether a food holds a mass together, or is a vegetable so small that it is held by that."""
+        if 0 < cut < _SMALL:
+            return False  # what is asked in slices or rings is laid on it
+        if cut >= _SMALL and want.facts.is_a("vegetable"):
+            return True
+        binds = word_list("binds a mass") | word_list("is bound with it")
+        binds |= word_list("is cooked and mashed to be shaped")
+        return want.facts.is_a(*binds) and not want.facts.is_a(*word_list("carries what is stacked"))
 
     def _is_listed_inside(self, want: Want, cut: int) -> bool:
         """Whether a recipe lists what is in small pieces between what patties are made of and what seasons that."""
         if cut < _SMALL and not want.facts.is_a(*word_list("is mixed into patties")):
             return False
-        slices = [one.want for one in self.joins if one.want.facts.is_a(*word_list("carries what is stacked"))]
-        seasons = [one.want for one in self.joins if one.want.facts.is_a(*word_list("seasons a body"))]
-        end = min((place for one in slices for place in one.places), default=0)
-        last = max((place for one in seasons for place in one.places if place < end), default=-1)
+        end = min(self._places("carries what is stacked"), default=0)
+        last = max((place for place in self._places("seasons a body") if place < end), default=-1)
         first = min((place for one in self.main for place in one.want.places), default=last)
         return any(first < place < last for place in want.places)
+
+    def _places(self, words_of: str) -> list[int]:
+        """Return the places in the recipe of foods of a list."""
+        return [place for join in self._are(words_of) for place in join.want.places]
+
+    def _are(self, words_of: str) -> list[Join]:
+        return [join for join in self.joins if join.want.facts.is_a(*word_list(words_of))]
 
     def _is_first_fat(self, join: Join) -> bool:
         fats = [one for one in self.joins if one.want.facts.is_a("fat")]

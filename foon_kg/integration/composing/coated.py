@@ -36,14 +36,12 @@ def coated_alone(
     ``baked``: it is fried in the oven, as people say. Nothing changes where there is no such flesh, or where something
     else has to be cooked too.
     """
-    rough = any_is(joins, *_ROUGH)
-    kinds = _COATED | word_list("is coated where it is rough") if rough else _COATED
-    flesh = _raw_flesh(joins, kinds)
-    whole = len(flesh) == 1 and is_portion(flesh[0].want, known)
-    if len(flesh) != 1 or (_is_shaped(line) and not whole) or _cooks_others(joins, flesh, known):
+    kinds = _COATED | word_list("is coated where it is rough") if any_is(joins, *_ROUGH) else _COATED
+    flesh = _flesh_of_the_dish(line, joins, kinds, known)
+    if flesh is None:
         return line, tuple(joins)
-    wet = _has_liquid(joins)
-    if not rough and not (_is_dusted(joins) and (whole or not wet)):
+    whole, wet = is_portion(flesh.want, known), _has_liquid(joins)
+    if not _has_a_coating(joins, takes_flour=whole or not wet):
         return line, tuple(joins)
     if any_is(joins, *word_list("melts on top")):
         return _baked_under(joins, kinds)
@@ -54,13 +52,22 @@ def coated_alone(
     return _in_a_sauce(replace(COOK if whole else STIR), joins, kinds)  # a fried piece that is stirred falls to pieces
 
 
+def _flesh_of_the_dish(line: Line, joins: Sequence[Join], kinds: Collection[str], known: Tables) -> Join | None:
+    """Return the one piece of raw flesh that a dish is made of, if it is not shaped and nothing else is cooked."""
+    flesh = _raw_flesh(joins, kinds)
+    if len(flesh) != 1 or _cooks_others(joins, flesh, known):
+        return None
+    return None if _is_shaped(line) and not is_portion(flesh[0].want, known) else flesh[0]
+
+
+def _has_a_coating(joins: Sequence[Join], *, takes_flour: bool) -> bool:
+    """Whether something coats flesh: crumbs and the like, or flour and fat where no sauce would take it off."""
+    return any_is(joins, *_ROUGH) or (takes_flour and any_is(joins, "flour") and any_is(joins, "fat"))
+
+
 def _has_liquid(joins: Sequence[Join]) -> bool:
     """Whether a liquid is there to cook in, beside what flesh is turned in."""
     return any(join.want.facts.is_a("cooking liquid") and not join.want.facts.is_a(*_WET) for join in joins)
-
-
-def _is_dusted(joins: Sequence[Join]) -> bool:
-    return any_is(joins, "flour") and any_is(joins, "fat")
 
 
 def _baked_under(joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
@@ -142,36 +149,33 @@ def coated_apart(
         return line, tuple(joins)
     wet = _what_wets(joins, dry)
     dust = _what_dusts(dry) if wet else []
-    wash = replace(_MIX, label=_THICK if any_is(wet, "egg") else "")
-    powder = replace(_MIX, label=_FINE if any_is(dry, "flour") else "")
-    dusted, bathed = replace(_BATH), replace(_BATH, adds=(Line((wash,)),))
-    rolled = replace(_BATH, adds=(Line((powder,)),))
+    wash, powder = _mixed(wet, "egg", _THICK), _mixed(dry, "flour", _FINE)
+    dusted = (replace(_BATH),) if dust else ()
+    turned = (*dusted, replace(_BATH, adds=(Line((wash,)),)), replace(_BATH, adds=(Line((powder,)),)))
     hot = (replace(COOK), replace(TURN), replace(COOK)) if heats else ()
-    first = (dusted, bathed) if dust else (bathed,)
     last = line.stages[-1]
-    served = replace(last, adds=(*last.adds, Line((*first, rolled, *hot))))
-    rest = [join for join in (*dry, *_what_seasons(joins)) if join not in dust]
-    places = [(wet, wash), (rest, powder), ([*flesh, *dust], first[0]), *((_frying_fat(joins), one) for one in hot[:1])]
-    found = []
-    for join in joins:
+    served = replace(last, adds=(*last.adds, Line((*turned, *hot))))
+    places = [(wet, wash), (dust, turned[0]), ([*dry, *_what_seasons(joins)], powder), (flesh, turned[0])]
+    places += [(_frying_fat(joins), hot[0])] if hot else []
+
+    def moved(join: Join) -> Join:
         stage = _place_of(join, places)
-        if stage is not None:
-            want = replace(join.want, cooked=False) if join in flesh else join.want
-            spot = replace(join.spot, stage=stage, post=_POST, after=(*hot, served), side=True)
-            found.append(Join(want, spot, NATURAL))
-        else:
-            found.append(_served_at(join, last, served))
-    return Line((*line.stages[:-1], served)), tuple(found)
+        if stage is None:
+            return replace(join, spot=replace(join.spot, stage=served)) if join.spot.stage is last else join
+        want = replace(join.want, cooked=False) if join in flesh else join.want
+        return Join(want, replace(join.spot, stage=stage, post=_POST, after=(*hot, served), side=True), NATURAL)
+
+    return Line((*line.stages[:-1], served)), tuple(map(moved, joins))
+
+
+def _mixed(foods: Sequence[Join], kind: str, label: str) -> Stage:
+    """Return the stage at which ``foods`` are mixed that coat, called ``label`` where one of that ``kind`` is there."""
+    return replace(_MIX, label=label if any_is(foods, kind) else "")
 
 
 def _place_of(join: Join, places: Sequence[tuple[Sequence[Join], Stage]]) -> Stage | None:
     """Return the stage beside the first of the foods among which this very one is; ``None`` for none."""
     return next((stage for some, stage in places if any(one is join for one in some)), None)
-
-
-def _served_at(join: Join, last: Stage, served: Stage) -> Join:
-    """Return a food at ``served`` if it joined the ``last`` stage of a line."""
-    return replace(join, spot=replace(join.spot, stage=served)) if join.spot.stage is last else join
 
 
 def _what_dusts(dry: Sequence[Join]) -> list[Join]:

@@ -7,8 +7,10 @@ from dataclasses import replace
 
 from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import fineness
+from foon_kg.integration.joining.comers import is_bath
 from foon_kg.integration.joining.course import HEATS, WORKS, Plan
-from foon_kg.integration.joining.spots import Join, only_carries, spots_of
+from foon_kg.integration.joining.spots import Join, any_is, only_carries, spots_of
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Stage
 
@@ -22,15 +24,13 @@ def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
 
     That is so where the last that is done to the dish is to cook it over the heat.
     """
-    hot = [place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)]
-    if not hot or plan.stacked or plan.cold or plan.laid or plan.in_pieces or plan.tin:
+    if any((plan.stacked, plan.cold, plan.laid, plan.in_pieces, plan.tin)):
         return line, plan
-    last, rest = line.stages[hot[-1]], line.stages[hot[-1] + 1 :]
-    if "dry" in last.does or any(not stage.does.isdisjoint(WORKS) for stage in rest):
-        return line, plan
+    place = _cooked_last(line)
     tops = [join for join in plan.joins if not join.spot.side and _lies_on_it(join, plan, known)]
-    if not tops or len(tops) == len(plan.joins):
+    if place is None or len(tops) in {0, len(plan.joins)}:
         return line, plan
+    last, rest = line.stages[place], line.stages[place + 1 :]
     if rest:
         top = rest[-1]
     else:
@@ -40,19 +40,34 @@ def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
     return line, replace(plan, joins=joins)
 
 
+def _cooked_last(line: Line) -> int | None:
+    """Return the place of the stage that cooks a dish over the heat, if nothing is done to it after that."""
+    hot = [place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)]
+    if not hot or "dry" in line.stages[hot[-1]].does:
+        return None
+    return hot[-1] if all(stage.does.isdisjoint(WORKS) for stage in line.stages[hot[-1] + 1 :]) else None
+
+
 def strewn_under(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Join, ...]:
     """Return joins with what is strewn under dough where that comes on what it is baked on, so that it does not stick.
 
     It is no part of the dough that is made of something else, nor of what lies on it.
     """
-    rows = ((stage, known.utensil(stage.vessel) if stage.vessel else None) for stage in line.stages)
-    tin = next((stage for stage, row in rows if row is not None and "bake" in row.can), None)
-    own = {join.want.number for join in joins if join.want.facts.is_a(*word_list("is strewn under dough"))}
-    dough = any(join.want.facts.is_a("dough", "flour") for join in joins if join.want.number not in own)
-    if tin is None or not dough:
+    strewn = [join for join in joins if join.want.facts.is_a(*word_list("is strewn under dough"))]
+    tin = _tin(line, known)
+    if tin is None or not any_is([join for join in joins if join not in strewn], "dough", "flour"):
         return tuple(joins)
-    spot = next(spot for spot in spots_of(line) if spot.stage is tin)
-    return tuple(replace(join, spot=spot, slot=None) if join.want.number in own else join for join in joins)
+    spot = {id(spot.stage): spot for spot in spots_of(line)}[id(tin)]
+    return tuple(replace(join, spot=spot, slot=None) if join in strewn else join for join in joins)
+
+
+def _tin(line: Line, known: Tables) -> Stage | None:
+    """Return the first stage of a line in something that one bakes in or on."""
+    for stage in line.stages:
+        row = known.utensil(stage.vessel) if stage.vessel else None
+        if row is not None and "bake" in row.can:
+            return stage
+    return None
 
 
 def wedges_last(
@@ -63,26 +78,29 @@ def wedges_last(
     Where all is eaten with the spoon (``spooned``) they lie in its bowl. ``slices_beside``: slices that the
     recorded dish does not cook are served so, too, unless something soaks them. They lie in what the dish is served in.
     """
-    slices_beside = slices_beside and not any(
-        join.want.facts.is_a(*word_list("is soaked up by slices")) for join in joins
-    )
-    found = [
-        join
-        for join in joins
-        if join.spot.heats_later and (_is_wedge(join.want) or (slices_beside and _is_slices_beside(join)))
-    ]
-    if not found or len(found) == len(joins):
+    slices_beside = slices_beside and not any_is(joins, *word_list("is soaked up by slices"))
+
+    def lies_beside(join: Join) -> bool:
+        there = _is_wedge(join.want) or (slices_beside and _is_slices_beside(join))
+        return there and join.spot.heats_later
+
+    found = [join for join in joins if lies_beside(join)]
+    if len(found) in {0, len(joins)}:
         return line, tuple(joins)
-    last = line.stages[-1]
-    if only_carries(last) and last.vessel and not any(_is_wedge(join.want) for join in found):
-        top = last
-    else:
-        vessel, relation = ("bowl", "in") if spooned else ("plate", "on")
-        top = Stage((), "", frozenset(), (), vessel, relation, "", "", "", (), last.step)
-        idle = only_carries(last) and not last.adds and not any(join.spot.stage is last for join in joins)
-        line = Line((*(line.stages[:-1] if idle else line.stages), top))  # it is brought to one place, and no further
+    line, top = _served_with(line, joins, found, spooned=spooned)
     ending = (_ending(join, top, on_top=join in found) for join in joins)
     return line, tuple(replace(join, slot=None) if join.on_top else join for join in ending)
+
+
+def _served_with(line: Line, joins: Sequence[Join], beside: Sequence[Join], *, spooned: bool) -> tuple[Line, Stage]:
+    """Return a line with its last stage, at which what lies ``beside`` it comes: on a plate, or in the bowl."""
+    last = line.stages[-1]
+    if only_carries(last) and last.vessel and not any(_is_wedge(join.want) for join in beside):
+        return line, last
+    vessel, relation = ("bowl", "in") if spooned else ("plate", "on")
+    top = Stage((), "", frozenset(), (), vessel, relation, "", "", "", (), last.step)
+    idle = only_carries(last) and not last.adds and not any(join.spot.stage is last for join in joins)
+    return Line((*(line.stages[:-1] if idle else line.stages), top)), top  # it is brought to one place, and no further
 
 
 def _is_wedge(want: Want) -> bool:
@@ -111,16 +129,23 @@ def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
     """Whether a food is eaten on a dish of these foods, in the form in which it is asked."""
     facts, want = join.want.facts, join.want
     others = [one.want.facts for one in plan.joins if one is not join]
-    beside = not plan.spooned and facts.is_a(*word_list("is eaten beside what is stewed")) and _is_apart(want)
-    if plan.one_pot and (beside or _floats(facts, others)):
+    if plan.one_pot and (_floats(facts, others) or _is_eaten_beside(want, plan)):
         return True
-    wet = any(one.is_of(*word_list("is a bath")) and not one.is_a(*word_list("is no bath")) for one in others)
+    wet = any(map(is_bath, others))
+    if wet and _lies_there_boiled(want):
+        return True
+    return not _is_changed(want, known) and _lies_on(facts, others, wet=wet)
+
+
+def _is_changed(want: Want, known: Tables) -> bool:
+    """Whether a food is asked cooked, as juice, or ground, and is no more what lies on a dish."""
+    return want.cooked or want.squeezed or fineness((want.make,), known) >= _POWDER
+
+
+def _lies_there_boiled(want: Want) -> bool:
+    """Whether a food is asked boiled, and lies on what is wet then."""
     boiled = want.make in word_list("is so by boiling")
-    if wet and boiled and facts.is_a(*word_list("lies on what is wet when it is boiled")):
-        return True
-    if want.cooked or want.squeezed or (want.make and (known.state(want.make).fine or 0) >= _POWDER):
-        return False
-    return _lies_on(facts, others, wet=wet)
+    return boiled and want.facts.is_a(*word_list("lies on what is wet when it is boiled"))
 
 
 def _lies_on(facts: Food, others: Sequence[Food], *, wet: bool) -> bool:
@@ -139,9 +164,10 @@ def _lies_on(facts: Food, others: Sequence[Food], *, wet: bool) -> bool:
     return wet and not bound and facts.is_a(*word_list("is grated over it"))
 
 
-def _is_apart(want: Want) -> bool:
-    """Whether what is eaten beside a stew is asked cooked, or needs no cooking."""
-    return want.cooked or {"boil", "cook"}.isdisjoint(want.facts.owes)
+def _is_eaten_beside(want: Want, plan: Plan) -> bool:
+    """Whether a food is eaten beside a stew that is not spooned, as it is asked cooked, or needs no cooking."""
+    done = want.cooked or {"boil", "cook"}.isdisjoint(want.facts.owes)
+    return done and not plan.spooned and want.facts.is_a(*word_list("is eaten beside what is stewed"))
 
 
 def _floats(facts: Food, others: Sequence[Food]) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
@@ -9,6 +10,7 @@ from dataclasses import replace
 from foon_kg.food import Food, Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
+from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.patterns import (
     BAKE,
@@ -24,7 +26,7 @@ from foon_kg.integration.joining.patterns import (
     with_line,
 )
 from foon_kg.integration.joining.spots import Join
-from foon_kg.integration.preparing.preparation import as_mixed
+from foon_kg.integration.preparing.preparation import Want, as_mixed
 from foon_kg.integration.teaching.frames import Line, Stage
 
 _SAUCE = word_list("is a sauce around a mass")
@@ -49,30 +51,39 @@ def formed(
     in a soup.
     """
     mass = _Mass(joins, known)
-    part = any(join.want.facts.is_a(*word_list("is eaten with a sauce")) and not mass.holds(join) for join in joins)
-    if not mass.main or part or not word_list("boils in the dish").isdisjoint(told):
+    if not mass.is_the_dish or not word_list("boils in the dish").isdisjoint(told):
         return line, tuple(joins)
-    mix, shape, heat, turn, done, sauce, top, whisk = fresh(MIX, SHAPE, COOK, TURN, COOK, SIMMER, TOP, WHISK)
-    shape = replace(shape, label=_portions(told))
-    heat = replace(heat, adds=(Line((mix, shape)),), label=goal)
     wet = [join for join in joins if mass.is_sauce(join)]
-    tops = [join for join in joins if mass.lies_on_it(join)]
-    if baked and not wet:
-        heat = replace(BAKE, adds=heat.adds, vessel="baking tray", relation="on")
-        stages: tuple[Stage, ...] = (heat,)
-    else:
-        stages = (heat, turn, done, sauce) if wet else (heat, turn, done)
     smooth = mass.smoothed(wet)
-    if smooth:
-        sauce = replace(sauce, adds=(Line((whisk,)),))
-        stages = (*stages[:-1], sauce)
-    whole = Line((*stages, top))
-    fats = [join for join in joins if join.want.facts.is_a("fat")]
-    own = [join for join in joins if mass.is_of_mass(join, alone=False)]
-    places = [(own, mix), (fats, heat), (tops, top), (smooth, whisk), (wet, sauce)]
-    at = {join.want.number: next((stage for some, stage in places if join in some), mix) for join in joins}
-    joins = [replace(join, want=as_mixed(join.want, known)) if at[join.want.number] is mix else join for join in joins]
-    return put_at(whole, joins, lambda join: at[join.want.number])
+    mix, shape, whisk, top = fresh(MIX, replace(SHAPE, label=_portions(told)), WHISK, TOP)
+    cooked = _cooked(Line((mix, shape)), goal, baked=baked and not wet)
+    sauce = replace(SIMMER, adds=(Line((whisk,)),)) if smooth else replace(SIMMER)
+
+    def stage_of(join: Join) -> Stage:
+        if mass.is_of_mass(join, alone=False):
+            return mix
+        if join.want.facts.is_a("fat"):
+            return cooked[0]
+        if mass.lies_on_it(join):
+            return top
+        if join in smooth:
+            return whisk
+        return sauce if join in wet else mix
+
+    at = {join.want.number: stage_of(join) for join in joins}
+
+    def prepared(join: Join) -> Join:
+        return replace(join, want=as_mixed(join.want, known)) if at[join.want.number] is mix else join
+
+    stages = (*cooked, sauce, top) if wet else (*cooked, top)
+    return put_at(Line(stages), list(map(prepared, joins)), lambda join: at[join.want.number])
+
+
+def _cooked(shaped: Line, goal: str, *, baked: bool) -> tuple[Stage, ...]:
+    """Return the stages that cook what is ``shaped``: in the oven, or on both sides in the pan as ``goal``."""
+    if baked:
+        return (replace(BAKE, adds=(shaped,), vessel="baking tray", relation="on"),)
+    return (replace(COOK, adds=(shaped,), label=goal), *fresh(TURN, COOK))
 
 
 def _portions(told: frozenset[str]) -> str:
@@ -90,12 +101,13 @@ def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Lin
     mix, shape = fresh(MIX, replace(SHAPE, label=min(word_list("is called so in balls"))))
     own = [join for join in joins if mass.is_of_mass(join, alone=False)]
     whole, became = with_line(line, meets, Line((mix, shape)))
-    stages = {id(join.want): became.get(id(join.spot.stage), join.spot.stage) for join in joins}
-    moved, found = put_at(whole, joins, lambda join: mix if join in own else stages[id(join.want)])
-    kept = {id(join.want): join for join in joins}
-    return moved, tuple(
-        join if join.spot.stage is mix else replace(kept[id(join.want)], spot=join.spot) for join in found
-    )
+
+    def stage_of(join: Join) -> Stage:
+        return mix if join in own else became.get(id(join.spot.stage), join.spot.stage)
+
+    moved, found = put_at(whole, joins, stage_of)
+    pairs = zip(joins, found, strict=True)
+    return moved, tuple(now if now.spot.stage is mix else replace(before, spot=now.spot) for before, now in pairs)
 
 
 class _Mass:
@@ -119,12 +131,18 @@ class _Mass:
 
     def _begin(self) -> float:
         """Return the place in the recipe at which what is cooked around the mass begins."""
-        first = min((place for join in self.main for place in join.want.places), default=0)
-        wet = [join.want for join in self.joins if self._is_around(join)]
-        wet = [want for want in wet if want.places and min(want.places) > first]
+        first = min(itertools.chain(*(join.want.places for join in self.main)), default=0)
+        around = filter(self._is_around, self.joins)
+        wet = [join.want for join in around if _is_listed_behind(join.want, first)]
         main = [want for want in wet if want.facts.is_of(*word_list("is the body of a sauce"))]
-        wet = [want for want in wet if not want.facts.is_a(*word_list("is mixed into a mass"))]
-        return min((min(want.places) for want in main or wet), default=math.inf)
+        others = [want for want in wet if not want.facts.is_a(*word_list("is mixed into a mass"))]
+        return min((min(want.places) for want in main or others), default=math.inf)
+
+    @property
+    def is_the_dish(self) -> bool:
+        """Whether something is shaped, and is no mere part of the dish: balls with pasta."""
+        sauced = (join for join in self.joins if join.want.facts.is_a(*word_list("is eaten with a sauce")))
+        return bool(self.main) and all(map(self.holds, sauced))
 
     def _is_around(self, join: Join) -> bool:
         """Whether a food runs around what is shaped: it soaks nothing, and the recipe lists it for no mass."""
@@ -153,8 +171,7 @@ class _Mass:
         return early and join.want.facts.is_a(*word_list("seasons a mass"))
 
     def _fine(self, join: Join) -> int:
-        states = (join.want.make, *join.want.leaf)
-        return max((self.known.state(state).fine or 0 for state in states if state), default=0)
+        return fineness((join.want.make, *join.want.leaf), self.known)
 
     def is_of_mass(self, join: Join, *, alone: bool) -> bool:
         """Whether a food is mixed with what is shaped; ``alone``: there is nothing else that it could belong to."""
@@ -169,8 +186,10 @@ class _Mass:
             return not self.wet
         if facts.is_a(*word_list("is bound with it")):
             return not self.bound and not alone
-        small = self._fine(join) >= _FINE
-        return alone and (small or not facts.is_a("vegetable"))
+        return alone and self._is_small_enough(join)
+
+    def _is_small_enough(self, join: Join) -> bool:
+        return not join.want.facts.is_a("vegetable") or self._fine(join) >= _FINE
 
     def _is_beside_it(self, join: Join) -> bool:
         """Whether a food is taken out of the dish, lies on it, or is listed with its sauce."""
@@ -218,6 +237,10 @@ class _Mass:
             return False
         wedge = facts.is_a(*word_list("is a wedge beside it")) and not join.want.squeezed
         return wedge or facts.is_a(*word_list("is served with what is fried"), "topping")
+
+
+def _is_listed_behind(want: Want, place: int) -> bool:
+    return bool(want.places) and min(want.places) > place
 
 
 def _is_listed_for_it(join: Join) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 
 from foon_kg.food import Level, Tables, tables, words
-from foon_kg.food.rows import Dish, State
+from foon_kg.food.rows import Dish, Food, State
 from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques_called, ways, works
 from foon_kg.integration.composing.dealing import MAIN, dealt, has_its_foods
 from foon_kg.integration.joining.course import HEATS
@@ -199,13 +199,21 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
     slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
     asked = known.state(want.make) if want.make else State("")
     cut = asked.fineness > 0
-    # what is asked peeled is peeled, and then halved
-    owes = dict.fromkeys(sorted(asked.earns & BY_HAND), Level.MINOR) | dict(want.facts.owes)
-    kept = {name: level for name, level in owes.items() if name not in row.get("waives", ())}
+    facts = _still_owing(want.facts, asked, row.get("waives", ()))
     want = replace(want, cooked=row.get("said", want.cooked))
-    if "make" in row and (row.get("always") or not cut):
-        squeezed = row["make"] == JUICE and form_of(known, want.label, want.leaf) == "whole"
+    if "make" in row and (not cut or row.get("always")):
+        squeezed = _is_squeezed(want, row["make"], known)
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")), squeezed=squeezed)
     if "then" in row and not want.then and not cut:
         want = replace(want, then=row["then"], cooked=True)
-    return replace(want, facts=replace(want.facts, owes=kept)), slot
+    return replace(want, facts=facts), slot
+
+
+def _is_squeezed(want: Want, make: str, known: Tables) -> bool:
+    return make == JUICE and form_of(known, want.label, want.leaf) == "whole"
+
+
+def _still_owing(facts: Food, asked: State, waives: Collection[str]) -> Food:
+    """Return a food that owes no more what a technique ``waives``; what is asked peeled is peeled, and then halved."""
+    owes = dict.fromkeys(sorted(asked.earns & BY_HAND), Level.MINOR) | dict(facts.owes)
+    return replace(facts, owes={name: level for name, level in owes.items() if name not in waives})

@@ -17,17 +17,15 @@ def sauce_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ..
 
     Nothing changes where they make a batter or a dough, or where the flour is only strewn on something.
     """
-    flour = next((join for join in joins if join.want.facts.is_a("flour")), None)
-    fats = [join for join in joins if join.want.facts.is_a("fat")]
-    baths = [join for join in joins if join.want.facts.is_of(*word_list("is a bath"))]
-    if flour is None or not fats or not baths or not _are_for_a_sauce(joins):
+    own = _sauce(joins)
+    if not own:
         return line, tuple(joins)
-    meets = baths[0].spot.stage
+    flour, bath = own[0], own[2]
+    meets = bath.spot.stage
     if not meets.does.isdisjoint(HEATS) or not flour.spot.stage.does.isdisjoint(HEATS):
         return line, tuple(joins)
     pan = replace(STIR, step=meets.step)
     line, became = with_line(line, meets, Line((pan,)))
-    own = (flour, fats[0], *baths)
 
     def moved(join: Join) -> Join:
         spot = join.spot
@@ -36,13 +34,18 @@ def sauce_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ..
         if join not in own and not joined:
             return replace(join, spot=replace(spot, stage=stage, after=tuple(after)))
         first = became[id(meets)]
-        rest = tuple(after) if spot.stage is meets else tuple(became.get(id(one), one) for one in baths[0].spot.after)
+        rest = tuple(after) if spot.stage is meets else tuple(became.get(id(one), one) for one in bath.spot.after)
         return replace(join, spot=replace(spot, stage=pan, after=(first, *rest), side=True), slot=None)
 
     return line, tuple(moved(join) for join in joins)
 
 
-def _are_for_a_sauce(joins: Sequence[Join]) -> bool:
-    """Whether a sauce of flour goes with what is there, and nothing makes a batter or dough of it."""
+def _sauce(joins: Sequence[Join]) -> tuple[Join, ...]:
+    """Return flour, fat and all that is poured on it, in this order; none of it where they make no sauce."""
+    flours = [join for join in joins if join.want.facts.is_a("flour")]
+    fats = [join for join in joins if join.want.facts.is_a("fat")]
+    baths = [join for join in joins if join.want.facts.is_of(*word_list("is a bath"))]
     batter = any_is(joins, "leaven", *word_list("makes no sauce of flour"))
-    return any_is(joins, *word_list("is eaten with a sauce of flour")) and not batter
+    if batter or not any_is(joins, *word_list("is eaten with a sauce of flour")):
+        return ()
+    return (flours[0], fats[0], *baths) if all((flours, fats, baths)) else ()
