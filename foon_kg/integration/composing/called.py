@@ -61,6 +61,10 @@ class Called:
         title = words(self.title)
         return (*sorted(self.told.difference(title)), *title)
 
+    def has(self, name: str) -> bool:
+        """Whether what ``name`` says holds of one of its dishes: a field of :class:`~foon_kg.food.rows.Dish`."""
+        return any(getattr(dish, name) for dish in self.dishes)
+
     @property
     def drunk(self) -> bool:
         """Whether it is a drink."""
@@ -97,12 +101,12 @@ def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: 
     line, joins = baked_at_last(line, joins, called.title)
     made, found = as_a_way_says(line, joins, called.dishes, called.words, known)
     line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, known)
-    if any(dish.laid for dish in called.dishes):
+    if called.has("laid"):
         joins = strewn_under(line, joins, known)
     if is_folded(joins, called.folded):
         line, joins = folded(joins)
     boiled = not word_list("boils in the dish").isdisjoint(called.told)
-    beside = not any(dish.stacked or dish.baked or dish.formed for dish in called.dishes)
+    beside = not any(map(called.has, ("stacked", "baked", "formed")))
     line, joins = (
         _drunk(line, joins, called, known)
         if called.drunk
@@ -131,8 +135,7 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
     bathed = is_eaten_with_its_bath(joins, title, called.dish_type)
     one_pot = boiled or bathed or is_soaked_up(joins, title) or is_stewed(called.title, called.dishes, joins, known)
     if boiled and not bathed:
-        cold = is_never_heated(called.dishes, joins, known)
-        line, joins = blended_when_done(line, joins, told, cold=cold)
+        line, joins = blended_when_done(line, joins, told)
     elif one_pot:
         line, joins = stewed(boiled_there(joins) if bathed else joins)
     if is_formed(called.dishes, joins):
@@ -145,21 +148,24 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
     made, found = _shaped(line, tuple(joins), called, known)
     if made is not line:
         return made, found
-    dishes, told = called.dishes, called.told
-    dressed = any(dish.dressed for dish in dishes)
     joins = tuple(joins)
-    if is_never_heated(dishes, joins, known):
+    if is_never_heated(called.dishes, joins, known):
         line, joins = unheated(line, joins)
-    if any(dish.stacked for dish in dishes):
-        line, joins = made_apart(line, joins, told, known, grilled=any(dish.grilled for dish in dishes))
-    elif any(dish.coated for dish in dishes) and not dressed:
-        made, found = as_a_way_says(line, joins, (), called.words, known, when="dipped")
-        if made is line:
-            made, found = coated_alone(line, joins, known, baked=called.baked)
-        if made is line:
-            made, found = as_a_way_says(line, joins, (), called.words, known, when="flesh", baked=called.baked)
-        line, joins = made, found
-    return dressed_apart(line, joins) if dressed else (line, joins)
+    if called.has("stacked"):
+        line, joins = made_apart(line, joins, called.told, known, grilled=called.has("grilled"))
+    elif called.has("coated") and not called.has("dressed"):
+        line, joins = _coated(line, joins, called, known)
+    return dressed_apart(line, joins) if called.has("dressed") else (line, joins)
+
+
+def _coated(line: Line, joins: tuple[Join, ...], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how flesh is made that is the dish: dipped, coated, or as such flesh is; else as it is."""
+    made, found = as_a_way_says(line, joins, (), called.words, known, when="dipped")
+    if made is line:
+        made, found = coated_alone(line, joins, known, baked=called.baked)
+    if made is line:
+        made, found = as_a_way_says(line, joins, (), called.words, known, when="flesh", baked=called.baked)
+    return made, found
 
 
 def _shaped(line: Line, joins: tuple[Join, ...], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:

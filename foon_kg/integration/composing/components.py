@@ -69,12 +69,12 @@ class _Finder:
         """Return the foods of a component, which are taken out of the rest; ``None`` where there is none."""
         if not self._may_be(component.technique):
             return None
-        around = Around([want.facts for want in self.rest], self.told)
+        around = self._around()
         places = self._places(component, around)
         if not places or len(places) == len(self.listed):
             return None
         found = tuple(dict.fromkeys(self.listed[place] for place in sorted(places)))
-        whole = [want for want in found if places.issuperset(self._left(want))]
+        whole = self._used_up(found, places)
         rest = [want for want in self.rest if want not in whole]
         if not self._suits(component, found, rest, around):
             return None
@@ -100,6 +100,13 @@ class _Finder:
         holds = all((name.lstrip("!") in self.held) is not name.startswith("!") for name in technique.dishes)
         typed = not technique.types or self.dish_type in technique.types
         return holds and typed and technique.never.isdisjoint(self.told)
+
+    def _around(self) -> Around:
+        return Around([want.facts for want in self.rest], self.told)
+
+    def _used_up(self, wants: Sequence[Want], places: set[int]) -> list[Want]:
+        """Return those of ``wants`` that are listed at no other places but these."""
+        return [want for want in wants if places.issuperset(self._left(want))]
 
     def _left(self, want: Want) -> set[int]:
         return {place for place, one in self.listed.items() if one is want}
@@ -250,7 +257,7 @@ def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int
     """Return a line with ``target`` at its place, that stage there, and by identity what became of others."""
     stages = line.stages
     bakes = [place for place, stage in enumerate(stages) if stage.does >= {"dry", "heat"}]
-    worked = [stage for stage in (stages if at == "tossed" else line.all_stages()) if _is_at(stage, at)]
+    worked = _worked_at(line, at)
     if worked:
         return _attached_to(line, worked, target, at)
     if bakes and at in {"before", "shaped"}:
@@ -259,6 +266,11 @@ def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int
         tin = stages[bakes[0]].vessel
         return line, next(stage for stage in stages if stage.vessel == tin), {}
     return _attached_last(stages, target, at)
+
+
+def _worked_at(line: Line, at: str) -> list[Stage]:
+    """Return the stages that do what a component joins ``at``; where it is tossed, only those of the dish itself."""
+    return [stage for stage in (line.stages if at == "tossed" else line.all_stages()) if _is_at(stage, at)]
 
 
 def _is_at(stage: Stage, at: str) -> bool:
@@ -302,11 +314,10 @@ def _folded(
 
     ``None`` where ``side`` is no such part.
     """
-    whole_foods = [want.of for want in side.wants if want.of is not None]
-    beside = [join for join in joins if join.want.of in whole_foods]
-    if not beside:
+    other = _other_part(side, joins)
+    if other is None:
         return None
-    spot = beside[0].spot
+    spot = other.spot
     cold = list(itertools.takewhile(lambda stage: stage.does.isdisjoint(HEATS), (spot.stage, *spot.after)))
     mixing = next((stage for stage in reversed(cold) if not stage.does.isdisjoint(MIXES)), None)
     became: dict[int, Stage] = {}
@@ -316,6 +327,12 @@ def _folded(
         return whole, became[id(spot.stage)], became
     target = replace(target, vessel=mixing.vessel, relation=mixing.relation, label=mixing.label or target.label)
     return _with_next(line, mixing, target, became), target, became
+
+
+def _other_part(side: Side, joins: Sequence[Join]) -> Join | None:
+    """Return the first food that comes of the same one as a food of a component, when that is opened."""
+    whole = [want.of for want in side.wants if want.of is not None]
+    return next((join for join in joins if join.want.of in whole), None)
 
 
 def _with_next(line: Line, stage: Stage, target: Stage, became: dict[int, Stage]) -> Line:

@@ -44,29 +44,45 @@ def _before(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tupl
     extra = replace(_stage(one), adds=bake.adds, vessel=bake.vessel, relation=bake.relation)
     bare = replace(bake, adds=())
     new = Line((*line.stages[:place], extra, bare, *line.stages[place + 1 :]))
-    fills = [join for join in joins if any(some.mean(join.want.label, join.want.facts, ()) for some in one.fills)]
+    fills = [join for join in joins if _is_filled_with(one, join)]
     there: dict[int, Stage] = {join.want.number: bare for join in fills}
     there |= {join.want.number: extra for join in joins if join.spot.stage is bake and join not in fills}
     return new, _at(new, joins, there, {})
+
+
+def _is_filled_with(one: Named, join: Join) -> bool:
+    return any(some.mean(join.want.label, join.want.facts, ()) for some in one.fills)
 
 
 def _done(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tuple[Join, ...]]:
     """Let the stage come when what it is done to was heated for the last time, and cooled if it is."""
     meant = next((join for join in joins if one.is_of(join.want.label, join.want.facts)), None)
     own = line_with(line, meant.spot.stage) if one.of and meant is not None else line
-    places = [n for n, stage in enumerate(own.stages) if not stage.does.isdisjoint(HEATS)]
-    if not places:
+    place = _when_done(own)
+    if place is None:
         return line, joins
-    place = places[-1] + 1
-    while place < len(own.stages) and "wait" in own.stages[place].does and own.stages[place].source != "cold":
-        place += 1
-    taken = {id(join.spot.stage) for join in joins}
     rest = own.stages[place:]
-    carried = not any(id(stage) in taken or stage.adds or not only_carries(stage) for stage in rest)
     became: dict[int, Stage] = {}
-    new = Line((*own.stages[:place], _stage(one), *(() if carried else rest)))
+    new = Line((*own.stages[:place], _stage(one), *(() if _only_carry(rest, joins) else rest)))
     new = with_replaced(line, own, new, became)
     return new, _at(new, joins, {}, became)
+
+
+def _when_done(line: Line) -> int | None:
+    """Return the place in a line after all heating, and the cooling that follows; ``None`` where nothing heats it."""
+    places = [n for n, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)]
+    if not places:
+        return None
+    place = places[-1] + 1
+    while place < len(line.stages) and "wait" in line.stages[place].does and line.stages[place].source != "cold":
+        place += 1
+    return place
+
+
+def _only_carry(stages: Sequence[Stage], joins: Sequence[Join]) -> bool:
+    """Whether stages only bring a dish somewhere: no food and no line joins it there."""
+    taken = {id(join.spot.stage) for join in joins}
+    return all(only_carries(stage) and not stage.adds and id(stage) not in taken for stage in stages)
 
 
 def _last(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tuple[Join, ...]]:

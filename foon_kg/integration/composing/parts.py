@@ -9,7 +9,7 @@ from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.composing.techniques import stage_of
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
-from foon_kg.integration.joining.spots import NATURAL, Join, Spot, only_carries
+from foon_kg.integration.joining.spots import NATURAL, Join, Spot, any_is, only_carries
 from foon_kg.integration.preparing.preparation import SECOND, Want
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
@@ -39,15 +39,20 @@ def parts_of(
     """
     if not any(dish.tin for dish in known.dishes_named(dish_type, title)):
         return tuple(wants), ()
-    found: tuple[Part, ...] = ()
-    if is_of_dough(wants):
-        found = tuple(Part((want,), "", baked=True) for want in _on_dough(wants))
-    if is_of_dough(wants) or is_of_batter(wants):
-        told = frozenset(words(title)) - (word_list("is strewn on") if strewn else frozenset())
-        found += tuple(_Parted(wants, told, repeated).parts())
+    found = _parts(wants, words(title), repeated, strewn=strewn)
     taken = {want.number for part in found for want in part.wants}
     rest = tuple(want for want in wants if want.number not in taken)
     return (rest, found) if rest else (tuple(wants), ())
+
+
+def _parts(wants: Sequence[Want], title: Sequence[str], repeated: Collection[str], *, strewn: bool) -> tuple[Part, ...]:
+    """Return what is put on a dough or a batter, by the words of a ``title`` and what a recipe lists twice."""
+    dough = is_of_dough(wants)
+    if not dough and not is_of_batter(wants):
+        return ()
+    told = frozenset(title) - (word_list("is strewn on") if strewn else frozenset())
+    lies = [Part((want,), "", baked=True) for want in _on_dough(wants)] if dough else []
+    return (*lies, *_Parted(wants, told, repeated).parts())
 
 
 def _on_dough(wants: Sequence[Want]) -> list[Want]:
@@ -79,14 +84,8 @@ class _Parted:
 
     def parts(self) -> Iterator[Part]:
         """Yield the parts in the order in which they are put on."""
-        if self._promised("is strewn on") and self.solid and self.sweet:
-            dry = [self._second(want) for want in self.wants if want.facts.is_a("flour")][:1]
-            sweet = self.sweet[-1] if len(self.sweet) > 1 else self._second(self.sweet[0])
-            fat = self.solid[0] if len(self.fats) > 1 else self._second(self.solid[0])
-            yield Part((*self._are("is coarse in what is strewn on")[:1], *dry, sweet, fat), "", baked=True)
-        base = self._are("is pressed to a base")
-        if base and self.solid and self._are("body of a cover"):
-            yield Part((base[0], self.solid[0]), "", under=True)
+        yield from self._strewn()
+        yield from self._base()
         cover = self._cover()
         coat = () if cover else self._coat()
         if cover:
@@ -99,6 +98,21 @@ class _Parted:
         if not cover and not coat and self.fine and self.sweet:
             yield Part((self.fine[0],), _motion("dusts what is baked"))
 
+    def _strewn(self) -> Iterator[Part]:
+        """Yield what is strewn on it before it is baked, where the title promises that."""
+        if not self._promised("is strewn on") or not self.solid or not self.sweet:
+            return
+        dry = [self._second(want) for want in self.wants if want.facts.is_a("flour")][:1]
+        sweet = self.sweet[-1] if len(self.sweet) > 1 else self._second(self.sweet[0])
+        fat = self.solid[0] if len(self.fats) > 1 else self._second(self.solid[0])
+        yield Part((*self._are("is coarse in what is strewn on")[:1], *dry, sweet, fat), "", baked=True)
+
+    def _base(self) -> Iterator[Part]:
+        """Yield what is pressed into the tin under all else."""
+        base = self._are("is pressed to a base")
+        if base and self.solid and self._are("body of a cover"):
+            yield Part((base[0], self.solid[0]), "", under=True)
+
     def _second(self, want: Want) -> Want:
         """Return a second portion of a food."""
         self.numbers += 1
@@ -109,17 +123,27 @@ class _Parted:
 
     def _cover(self) -> tuple[Want, ...]:
         """Return what is mixed and spread: fine sugar, or a second portion of sugar, with what is soft or creamed."""
-        soft = self._are("body of a cover") if any(want.facts.is_a("leaven") for want in self.wants) else []
-        solid = self.solid[:1]
+        leavened = any(want.facts.is_a("leaven") for want in self.wants)
+        soft = self._are("body of a cover")[:1] if leavened else []
+        sweet = self._sweet_of_a_cover(soft)
+        solid = self._fat_of_a_cover()
+        return (*soft, *solid, *sweet) if sweet and (soft or solid) else ()
+
+    def _sweet_of_a_cover(self, soft: Sequence[Want]) -> list[Want]:
+        """Return the sugar of a cover: what is fine beside other sugar; in what is ``soft`` sugar to spare, too."""
         again = [self._second(want) for want in self.sweet if self._is_twice(want)][:1]
-        if not again and len(self.sweet) > 1 and solid and self._is_twice(solid[0]):
+        if self.fine and self.sweet:
+            return self.fine[:1]
+        if not again and len(self.sweet) > 1 and any(map(self._is_twice, self.solid[:1])):
             again = self.sweet[-1:]
-        sweet = self.fine[:1] if self.fine and self.sweet else again if soft else []
-        if solid and self._is_twice(solid[0]):
-            solid = [self._second(solid[0])]
-        elif len(self.fats) == 1:
-            solid = []  # it is the batter's
-        return (*soft[:1], *solid, *sweet) if sweet and (soft or solid) else ()
+        return again if soft else []
+
+    def _fat_of_a_cover(self) -> list[Want]:
+        """Return the fat that is creamed for a cover: a second portion; none where there is but that of the batter."""
+        solid = self.solid[:1]
+        if any(map(self._is_twice, solid)):
+            return list(map(self._second, solid))
+        return solid if len(self.fats) != 1 else []
 
     def _coat(self) -> tuple[Want, ...]:
         """Return what is stirred to be poured on, where the title promises it: fine sugar with a liquid to spare."""
@@ -138,35 +162,47 @@ def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part], tin: st
     """Return a line with a stage for each part, and the joins with those of the parts."""
     stages, found = list(line.stages), list(joins)
     for part in parts:
-        if part.under:
-            stages, found = _on_base(stages, found, part, tin)
-            continue
-        place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), None) if part.baked else None
-        mixing = _mixing(part) if part.mixed and len(part.wants) > 1 else None
-        adds = (Line((mixing,)),) if mixing is not None else ()
-        if place is None:
-            if stages[-1].step >= 0:
-                stages.append(_stage("cool down", "plate", ()))  # on what is hot it would melt
-            stages.append(_stage(part.motion, "plate", adds))
-            target = stages[-1]
-        elif adds:
-            old = stages[place]
-            target = stages[place] = replace(old, adds=(*old.adds, *adds))
-            found = [_moved(join, old, target) for join in found]
-        else:
-            target = stages[place]
-        own = mixing or target
-        spot = Spot(
-            path=(len(stages), 0) if mixing else (len(stages),),
-            stage=own,
-            post=("top", "before", False),
-            side=False,
-            after=(),
-        )
-        for want in part.wants:
-            slot = Slot(singular(want.label), want.facts.kind, want.leaf, (), part.motion) if mixing is None else None
-            found.append(Join(want, spot, NATURAL - 0.01, slot if part.motion else None))
+        stages, found = _on_base(stages, found, part, tin) if part.under else _put_on(stages, found, part)
     return Line(tuple(stages)), tuple(found)
+
+
+def _put_on(stages: list[Stage], joins: list[Join], part: Part) -> tuple[list[Stage], list[Join]]:
+    """Return stages with a part put on the dish, before it is baked or at its end, and the joins with its foods."""
+    mixing = _mixing(part) if part.mixed and len(part.wants) > 1 else None
+    adds = (Line((mixing,)),) if mixing is not None else ()
+    target = _baked_with(stages, part)
+    if target is None:
+        stages = [*stages, *_at_the_end(stages[-1], part, adds)]
+        target = stages[-1]
+    elif adds:
+        old, target = target, replace(target, adds=(*target.adds, *adds))
+        stages, joins = _replaced(stages, joins, old, target)
+    path = (len(stages), 0) if mixing else (len(stages),)
+    spot = Spot(path, mixing or target, ("top", "before", False), side=False, after=())
+    return stages, [*joins, *(Join(want, spot, NATURAL - 0.01, _slot(want, part, mixing)) for want in part.wants)]
+
+
+def _replaced(stages: Sequence[Stage], joins: Sequence[Join], old: Stage, new: Stage) -> tuple[list[Stage], list[Join]]:
+    """Return stages of which one is another by now, and joins that join there."""
+    return [new if stage is old else stage for stage in stages], [_moved(join, old, new) for join in joins]
+
+
+def _baked_with(stages: Sequence[Stage], part: Part) -> Stage | None:
+    """Return the stage at which a part is baked with all the rest, if it is."""
+    return next((stage for stage in stages if "heat" in stage.does), None) if part.baked else None
+
+
+def _at_the_end(last: Stage, part: Part, adds: tuple[Line, ...]) -> list[Stage]:
+    """Return the stages at which a part comes on what is done after the ``last`` one; on what is hot it would melt."""
+    on_it = _stage(part.motion, "plate", adds)
+    return [_stage("cool down", "plate", ()), on_it] if last.step >= 0 else [on_it]
+
+
+def _slot(want: Want, part: Part, mixing: Stage | None) -> Slot | None:
+    """Return how a food comes on the dish that is not mixed with others before."""
+    if mixing is not None or not part.motion:
+        return None
+    return Slot(singular(want.label), want.facts.kind, want.leaf, (), part.motion)
 
 
 def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tuple[list[Stage], list[Join]]:
@@ -188,39 +224,57 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
 
     What boils in its dish never ends there, whatever else its title names: a baked potato soup is a soup.
     """
-    stages = list(line.stages)
-    hot = [stage for stage in stages if "heat" in stage.does]
-    boils = not word_list("boils in the dish").isdisjoint(words(title))
-    told = not boils and not word_list("is baked at last").isdisjoint(words(title))
-    bakes = [stage for stage in hot if "dry" in stage.does]
+    told = _is_baked_at_last(title)
+    bakes = [stage for stage in line.stages if stage.does >= {"dry", "heat"}]
     if bakes:
-        return line, _strewn_on(bakes[-1], stages, _browned_on(bakes[-1], stages, joins) if told else joins)
-    if not told or not hot or any(stage.appliance == "oven" for stage in hot):
+        joins = _browned_on(bakes[-1], line.stages, joins) if told else joins
+        return line, _strewn_on(bakes[-1], line.stages, joins)
+    if not told or not _is_cooked_in_no_oven(line):
         return line, tuple(joins)
-    taken = {id(join.spot.stage) for join in joins}
-    while only_carries(stages[-1]) and id(stages[-1]) not in taken and not any(True for _ in stages[-1].adds):
-        stages.pop()
+    stages = _without_idle_end(line.stages, joins)
     does = frozenset({"dry", "heat"})
     last = Stage((), "bake", does, (), "baking dish", "in", "oven", "heat", "", ("baked",), -1)
     spot = Spot(path=(len(stages),), stage=last, post=("bake", "now", False), side=False, after=())
     tops = [join for join in joins if join.want.facts.is_a(*word_list("is browned on top"))]
-    found = (replace(join, spot=spot, slot=None) if join in tops and len(tops) < len(joins) else join for join in joins)
-    return Line((*stages, last)), tuple(found)
+    return Line((*stages, last)), _laid_at(spot, joins, tops)
+
+
+def _is_baked_at_last(title: str) -> bool:
+    told = words(title)
+    boils = not word_list("boils in the dish").isdisjoint(told)
+    return not boils and not word_list("is baked at last").isdisjoint(told)
+
+
+def _is_cooked_in_no_oven(line: Line) -> bool:
+    hot = [stage for stage in line.stages if "heat" in stage.does]
+    return bool(hot) and all(stage.appliance != "oven" for stage in hot)
+
+
+def _without_idle_end(stages: Sequence[Stage], joins: Sequence[Join]) -> list[Stage]:
+    """Return ``stages`` without those at their end that only carry the dish, and at which nothing joins it."""
+    kept = list(stages)
+    taken = {id(join.spot.stage) for join in joins}
+    while only_carries(kept[-1]) and id(kept[-1]) not in taken and not kept[-1].adds:
+        kept.pop()
+    return kept
+
+
+def _laid_at(spot: Spot, joins: Sequence[Join], tops: Sequence[Join]) -> tuple[Join, ...]:
+    """Return ``joins`` with the ``tops`` at a stage of their own, unless there is nothing below them."""
+    if len(tops) == len(joins):
+        return tuple(joins)
+    return tuple(replace(join, spot=spot, slot=None) if join in tops else join for join in joins)
 
 
 def _browned_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> tuple[Join, ...]:
-    """Let cheese and crumbs come on what is baked last of all, where there is something below.
+    """Return ``joins`` with cheese and crumbs on what is baked last of all, where there is something below.
 
     Where flour makes a sauce for pasta, the cheese belongs to that.
     """
-    spot = _spot_of(bakes, stages)
-    facts = [one.want.facts for one in joins]
-    sauce = any(one.is_a("flour") for one in facts) and any(
-        one.is_a(*word_list("is eaten with a sauce")) for one in facts
-    )
     tops = [one for one in joins if one.want.make and one.want.facts.is_a(*word_list("is browned on top"))]
-    tops = [one for one in tops if not (sauce and one.want.facts.is_a(*word_list("melts on top")))]
-    return tuple(replace(one, spot=spot, slot=None) if one in tops and len(tops) < len(joins) else one for one in joins)
+    if any_is(joins, "flour") and any_is(joins, *word_list("is eaten with a sauce")):
+        tops = [one for one in tops if not one.want.facts.is_a(*word_list("melts on top"))]
+    return _laid_at(_spot_of(bakes, stages), joins, tops)
 
 
 def _spot_of(bakes: Stage, stages: Sequence[Stage]) -> Spot:

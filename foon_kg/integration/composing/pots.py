@@ -10,7 +10,7 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.joining.course import HEATS
-from foon_kg.integration.joining.spots import NATURAL, Join
+from foon_kg.integration.joining.spots import NATURAL, Join, any_is
 from foon_kg.integration.preparing.preparation import owed
 from foon_kg.integration.teaching.frames import Line, Stage
 
@@ -43,26 +43,34 @@ def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     """
     hot = next((place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)), 0)
     pan, before, rest = line.stages[hot], line.stages[:hot], line.stages[hot + 1 :]
-    cold = bool(before) and all(stage.does <= _MIXES for stage in before)
-    if not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does or not _is_fried_in_turn(joins):
+    cold = hot > 0 and all(stage.does <= _MIXES for stage in before)
+    if not cold or "dry" in pan.does or not _is_fried_in_turn(joins):
         return line, tuple(joins)
-    kept = tuple(add for one in before for add in one.adds if isinstance(add, Line) and _heats(add))
-    staying = [stage for add in kept for stage in add.all_stages()]
-    gone = [stage for one in before for stage in Line((one,)).all_stages() if stage not in staying]
+    kept = _heated_beside(before)
+    gone = _gone(before, kept)
     fresh = replace(pan, adds=(*kept, *pan.adds))
     found = tuple(_in_the_pan(join, pan, fresh, gone, rest) for join in joins)
     return Line((fresh, *rest)), found
 
 
+def _heated_beside(stages: Sequence[Stage]) -> list[Line]:
+    """Return the lines that join ``stages`` and in which something is heated."""
+    return [add for one in stages for add in one.adds if isinstance(add, Line) and _heats(add)]
+
+
+def _gone(stages: Sequence[Stage], kept: Sequence[Line]) -> list[Stage]:
+    """Return all of ``stages``, and of the lines that join them, but what is in a line that is ``kept``."""
+    staying = [stage for line in kept for stage in line.all_stages()]
+    return [stage for stage in Line(tuple(stages)).all_stages() if stage not in staying]
+
+
 def _is_fried_in_turn(joins: Sequence[Join]) -> bool:
     """Whether foods are boiled for a sauce, or flesh is stewed in a liquid, and nothing binds them."""
-    facts = [join.want.facts for join in joins]
     wet = word_list("is cooked in for long") | word_list("is poured into the pan")
-    flesh = any(one.is_a(*word_list("is flesh")) and "cook" in one.owes for one in facts)
-    stewed = flesh and any(one.is_of(*wet) for one in facts)
-    boiled = any(one.is_a(*word_list("is eaten with a sauce")) for one in facts)
-    bound = any(one.is_a("dough", "egg", "flour") or (one.is_a("creamy") and not stewed) for one in facts)
-    return (boiled or stewed) and not bound
+    flesh = any(join.want.facts.is_a(*word_list("is flesh")) and "cook" in join.want.facts.owes for join in joins)
+    stewed = flesh and any(join.want.facts.is_of(*wet) for join in joins)
+    bound = any_is(joins, "dough", "egg", "flour") or (not stewed and any_is(joins, "creamy"))
+    return (stewed or any_is(joins, *word_list("is eaten with a sauce"))) and not bound
 
 
 def _in_the_pan(join: Join, pan: Stage, fresh: Stage, gone: Sequence[Stage], rest: tuple[Stage, ...]) -> Join:
@@ -79,10 +87,10 @@ def fat_in_the_heat(joins: Sequence[Join]) -> tuple[Join, ...]:
 
     Nothing changes where fat is creamed or rubbed in: with sugar, or with flour that is not fried.
     """
-    if any(join.want.facts.is_a("dough", "leaven", *word_list("sweetens a batter")) for join in joins):
+    if any_is(joins, "dough", "leaven", *word_list("sweetens a batter")):
         return tuple(joins)
     hot = next((stage for join in joins for stage in join.spot.after if not stage.does.isdisjoint(HEATS)), None)
-    if hot is not None and "dry" in hot.does and any(join.want.facts.is_a("flour") for join in joins):
+    if hot is not None and "dry" in hot.does and any_is(joins, "flour"):
         return tuple(joins)
     return tuple(_in_the_heat(join) if _is_mixed_hard(join) else join for join in joins)
 

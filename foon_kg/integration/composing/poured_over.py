@@ -46,18 +46,22 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
     They are returned as they are where there is nothing to mix, or where a machine makes the recorded dressing.
     """
     parts = [join for join in joins if is_poured_over(join.want, join.slot)]
-    place = _last_mixing(line, [join for join in joins if join not in parts])
+    rest = [join for join in joins if join not in parts]
+    place = _last_mixing(line, rest)
     if place is None:
         return line, tuple(joins)
     beside = list(_beside(line))
     if not _has_enough_to_pour(parts, beside):
-        boiled = {id(stage) for stage in beside if stage.does <= _BOILS}
-        last, later = line.stages[place], line.stages[place + 1 :]
-        apart = (_apart(join, last, later) if id(join.spot.stage) in boiled else join for join in joins)
-        return _at_once(line, place, tuple(apart), parts)
-    parts += [join for join in joins if join.want.facts.is_a("water") and join not in parts]
-    cold = {id(stage) for stage in beside if _is_cold(stage)}
-    return _tossed(line, place, joins, parts, cold)
+        return _at_once(line, place, _with_the_boiled(line, place, joins, beside), parts)
+    parts += [join for join in rest if join.want.facts.is_a("water")]
+    return _tossed(line, place, joins, parts, set(map(id, filter(_is_cold, beside))))
+
+
+def _with_the_boiled(line: Line, place: int, joins: Sequence[Join], beside: Sequence[Stage]) -> tuple[Join, ...]:
+    """Return ``joins`` with what is only boiled ``beside`` a line coming by itself to its mixing at ``place``."""
+    boiled = {id(stage) for stage in beside if stage.does <= _BOILS}
+    last, later = line.stages[place], line.stages[place + 1 :]
+    return tuple(_apart(join, last, later) if id(join.spot.stage) in boiled else join for join in joins)
 
 
 def _is_cold(stage: Stage) -> bool:
@@ -87,21 +91,22 @@ def _tossed(
     over = replace(_MIXING, step=last.step)
     mixes = last if {"mix"} <= last.does and "mash" not in last.does else _plain(last)
     tossed = replace(mixes, adds=(Line((over,)),))
-    found = []
-    for join in joins:
+
+    def moved(join: Join) -> Join:
         stage = join.spot.stage
         if join in parts:
             spot = replace(join.spot, stage=over, after=(tossed,), side=True)
-            found.append(replace(join, spot=spot, fit=min(join.fit, NATURAL)))
-        elif (still := before.get(id(stage))) is not None:
-            found.append(replace(join, spot=replace(join.spot, stage=still)))
-        elif id(stage) in cold or (join.slot is None and "blend" in stage.does):
-            found.append(_apart(join, gathered, (tossed, *later)))
-        else:
-            found.append(join)
+            return replace(join, spot=spot, fit=min(join.fit, NATURAL))
+        if (still := before.get(id(stage))) is not None:
+            return replace(join, spot=replace(join.spot, stage=still))
+        if id(stage) in cold or (join.slot is None and "blend" in stage.does):
+            return _apart(join, gathered, (tossed, *later))
+        return join
+
+    found = tuple(map(moved, joins))
     joined = {id(join.spot.stage) for join in found}
     first = [before.get(id(one), one) for one in line.stages[:place] if one.does != {"wait"} or id(one) in joined]
-    return Line((*first, gathered, tossed, *later)), tuple(found)
+    return Line((*first, gathered, tossed, *later)), found
 
 
 def _at_once(line: Line, place: int, joins: tuple[Join, ...], parts: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
@@ -112,17 +117,29 @@ def _at_once(line: Line, place: int, joins: tuple[Join, ...], parts: Sequence[Jo
     kept: list[Stage] = []
     gone: list[Stage] = []
     for stage in line.stages[:place]:
-        here = [join for join in joins if join.spot.stage is stage]
-        dresses = any(join in parts for join in here)
-        mashed = "mash" in stage.does and any(_is_mashed_there(join) for join in here)
-        by_hand = stage.does <= _BY_HAND and bool(stage.does & {"mix", "mash", "whip"})
-        (gone if (by_hand and not dresses and not mashed) or stage.does == {"wait"} else kept).append(stage)
-    beside = any(isinstance(add, Line) and _joins(add, joins) for stage in gone for add in stage.adds)
-    if not gone or beside:
+        (gone if _comes_at_once(stage, joins, parts) else kept).append(stage)
+    if not gone or _takes_foods_beside(gone, joins):
         return line, joins
     last, later = line.stages[place], line.stages[place + 1 :]
-    moved = (_apart(join, last, later) if any(join.spot.stage is one for one in gone) else join for join in joins)
-    return Line((*kept, *line.stages[place:])), tuple(moved)
+    left = set(map(id, gone))
+    moved = tuple(_apart(join, last, later) if id(join.spot.stage) in left else join for join in joins)
+    return Line((*kept, *line.stages[place:])), moved
+
+
+def _comes_at_once(stage: Stage, joins: Sequence[Join], parts: Sequence[Join]) -> bool:
+    """Whether a stage only waits, or mixes by hand what is no part of a dressing and is not mashed."""
+    if stage.does == {"wait"}:
+        return True
+    if not stage.does <= _BY_HAND or stage.does.isdisjoint({"mix", "mash", "whip"}):
+        return False
+    here = [join for join in joins if join.spot.stage is stage]
+    mashed = "mash" in stage.does and any(map(_is_mashed_there, here))
+    return not mashed and not any(join in parts for join in here)
+
+
+def _takes_foods_beside(stages: Sequence[Stage], joins: Sequence[Join]) -> bool:
+    """Whether a line with foods joins one of ``stages``."""
+    return any(isinstance(add, Line) and _joins(add, joins) for stage in stages for add in stage.adds)
 
 
 def _is_mashed_there(join: Join) -> bool:

@@ -9,9 +9,10 @@ from dataclasses import replace
 from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
+from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.comers import is_strewn
 from foon_kg.integration.joining.course import HEATS
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
 _JOINED = frozenset({"and", "con", "in", "on", "over", "with"})
@@ -25,31 +26,40 @@ _SERVED = Stage((), "", frozenset(), (), "bowl", "in", "", "", "", (), 0)
 _SIMMERED = Stage((), "simmer", frozenset({"heat", "liquid"}), (), "pot", "on", "stove", "heat", "", (), 0)
 
 
-def blended_when_done(
-    line: Line, joins: Sequence[Join], told: Collection[str], *, cold: bool = False
-) -> tuple[Line, tuple[Join, ...]]:
+def blended_when_done(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish with a liquid is cooked and blended, by the words of its title and its foods.
 
-    One that is never heated (``cold``) is only blended.
+    One that is served cold, and of which nothing has to be cooked, is only blended.
     """
     stages = list(line.all_stages())
-    blends = [place for place, stage in enumerate(stages) if "blend" in stage.does]
-    hot = [place for place, stage in enumerate(stages) if not stage.does.isdisjoint(HEATS)]
-    facts = [join.want.facts for join in joins]
-    pieces = any(one.is_a(*word_list("stays in pieces")) for one in facts)
-    named = not word_list("is blended smooth").isdisjoint(told)
-    smooth = not pieces and (named or any(_makes_it_smooth(join, told) for join in joins))
-    cold = not word_list("is served cold").isdisjoint(told) and not any(
-        {"cook", "boil"} & one.owes.keys() for one in facts
-    )
-    raw_first = bool(blends) and any(place > blends[-1] for place in hot)
-    if cold and not pieces:
+    blends = any("blend" in stage.does for stage in stages)
+    raw_first = _is_blended_raw(stages)
+    pieces = any_is(joins, *word_list("stays in pieces"))
+    if not pieces and _is_served_cold(joins, told):
         return _with_stages(joins, (replace(_BLENDED),))
+    smooth = not pieces and _is_to_be_smooth(joins, told)
     if smooth and (raw_first or not blends):
-        return _with_stages(joins, (_boiling(stages, hot), replace(_BLENDED)))
+        return _with_stages(joins, (_boiling(stages), replace(_BLENDED)))
     if raw_first:
-        return _with_stages(joins, (_boiling(stages, hot),))
+        return _with_stages(joins, (_boiling(stages),))
     return line, tuple(joins)
+
+
+def _is_blended_raw(stages: Sequence[Stage]) -> bool:
+    """Whether a video heats what it has blended for the last time."""
+    blends = [place for place, stage in enumerate(stages) if "blend" in stage.does]
+    return bool(blends) and any(not stage.does.isdisjoint(HEATS) for stage in stages[blends[-1] + 1 :])
+
+
+def _is_served_cold(joins: Sequence[Join], told: Collection[str]) -> bool:
+    cold = not word_list("is served cold").isdisjoint(told)
+    return cold and all({"cook", "boil"}.isdisjoint(join.want.facts.owes) for join in joins)
+
+
+def _is_to_be_smooth(joins: Sequence[Join], told: Collection[str]) -> bool:
+    """Whether a dish is called so that it is smooth, or one of its foods makes it so."""
+    named = not word_list("is blended smooth").isdisjoint(told)
+    return named or any(_makes_it_smooth(join, told) for join in joins)
 
 
 def is_stewed(title: str, dishes: Collection[Dish], joins: Sequence[Join], known: Tables) -> bool:
@@ -64,14 +74,15 @@ def _is_in_sauce(joins: Sequence[Join], told: Sequence[str], known: Tables) -> b
     """Whether flesh that is asked in pieces has a sauce to be cooked in, and nothing says that it is made otherwise."""
     if not told or any(known.state(word).needs_heat for word in told if word in known.states):
         return False
-    facts = [join.want.facts for join in joins]
-    pieces = any(
-        join.want.facts.is_a(*word_list("is flesh")) and (known.state(join.want.make).fine or 0) > 0
-        for join in joins
-        if join.want.make and "cook" in join.want.facts.owes
-    )
-    sauce = sum(one.is_of(*word_list("is cooked in for long")) for one in facts) >= _LEAST
-    return pieces and sauce and not any(one.is_a(*word_list("is never in a pot so")) for one in facts)
+    pieces = any(_is_raw_flesh_in_pieces(join, known) for join in joins)
+    sauce = sum(join.want.facts.is_of(*word_list("is cooked in for long")) for join in joins) >= _LEAST
+    return pieces and sauce and not any_is(joins, *word_list("is never in a pot so"))
+
+
+def _is_raw_flesh_in_pieces(join: Join, known: Tables) -> bool:
+    facts = join.want.facts
+    raw = "cook" in facts.owes and facts.is_a(*word_list("is flesh"))
+    return raw and fineness((join.want.make,), known) > 0
 
 
 def stewed(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
@@ -87,9 +98,10 @@ def _makes_it_smooth(join: Join, told: Collection[str]) -> bool:
     )
 
 
-def _boiling(stages: Sequence[Stage], hot: Sequence[int]) -> Stage:
+def _boiling(stages: Sequence[Stage]) -> Stage:
     """Return the stage at which everything is cooked: as the video does it at last, with its water."""
-    found = [stages[place] for place in hot if stages[place].source == "heat" and "dry" not in stages[place].does]
+    hot = [stage for stage in stages if not stage.does.isdisjoint(HEATS)]
+    found = [stage for stage in hot if stage.source == "heat" and "dry" not in stage.does]
     stage = found[-1] if found else _SIMMERED
     return replace(stage, adds=tuple(add for add in stage.adds if isinstance(add, Slot)))
 

@@ -35,16 +35,22 @@ def can_be_blended(operators: Operators) -> bool:
 
 def stirred(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     """Return a line that ends with stirring what is poured together in a glass, where nothing of it mixes them."""
-    for stage in line.all_stages():
-        comers = [join for join in joins if stage in (join.spot.stage, *join.spot.after)]
-        if len(comers) > 1 and not stage.does.isdisjoint(MIXES):
-            return line, tuple(joins)
-    if any(not stage.does.isdisjoint(WORKS) and stage.source for stage in line.all_stages()):
+    machine = any(not stage.does.isdisjoint(WORKS) and stage.source for stage in line.all_stages())
+    if machine or _is_mixed(line, joins):
         return line, tuple(joins)
     last = line.stages[-1]
     stir = replace(_GLASS, step=last.step, vessel=last.vessel if is_served_in(last.vessel) else _GLASS.vessel)
     found = (replace(join, spot=replace(join.spot, stage=stir, after=(), side=False)) for join in joins)
     return Line((stir,)), tuple(found)
+
+
+def _is_mixed(line: Line, joins: Sequence[Join]) -> bool:
+    """Whether a stage mixes several of the foods that come to it."""
+    for stage in line.all_stages():
+        comers = [join for join in joins if stage in (join.spot.stage, *join.spot.after)]
+        if len(comers) > 1 and not stage.does.isdisjoint(MIXES):
+            return True
+    return False
 
 
 def for_many(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:
