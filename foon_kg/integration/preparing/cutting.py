@@ -47,6 +47,15 @@ def _bare(ways: Iterable[Way]) -> list[Way]:
     return [way for way in ways if not way[1]]
 
 
+def _with_tools(ways: Iterable[Way]) -> list[Way]:
+    """Return those of some ways that are done with a tool."""
+    return [way for way in ways if way[1]]
+
+
+def _wants_a_knife(want: Want) -> bool:
+    return want.facts.is_a(*word_list("wants a knife")) and not want.facts.is_a(*word_list("is broken by hand"))
+
+
 def _by_bare_hands(ways: Iterable[Way]) -> list[Way]:
     """Return those of some ways in which fingers pull flesh apart."""
     return [way for way in _bare(ways) if way[0] in word_list("pulls flesh apart")]
@@ -113,8 +122,8 @@ class Cutter:
 
     def with_a_knife(self, ways: list[Way], want: Want, state: str = "") -> list[Way]:
         """Return the ways that divide a food: where it is firm, not by bare hands, nor with what is no knife."""
-        if not want.facts.is_a(*word_list("wants a knife")) or want.facts.is_a(*word_list("is broken by hand")):
-            return ways if state in word_list("is so by bare hands") else [way for way in ways if way[1]] or ways
+        if not _wants_a_knife(want):
+            return ways if state in word_list("is so by bare hands") else _with_tools(ways) or ways
         bare, unfit = word_list("is done by bare hands"), word_list("is no knife")
         return [way for way in ways if (way[1] or way[0] not in bare) and unfit.isdisjoint(way[1])] or ways
 
@@ -169,14 +178,13 @@ class Cutter:
         elif want.facts.is_a(*word_list("is peeled with a knife")):
             fit = [way for way in ways if self.has_tool_to(_OPEN, way)]
         else:
-            fit = [way for way in ways if way[1]]
+            fit = _with_tools(ways)
         return fit or ways
 
     def way_to_treat(self, want: Want, name: str) -> Attested | None:
         """Return how hands peel, core or stone such a food; ``None`` where nobody does with a like one."""
         ways = [way for one in (name, *STANDS_FOR.get(name, ())) for way in self.operators.ways.get(one, ())]
-        ways = [way for way in ways if not self.known.motion(way[0]).does & NOT_BY_HAND]
-        unfit = {"separate"} if name != "shell" else {"open"}  # nobody skims a skin; and opened is not shelled
+        unfit = NOT_BY_HAND | {"open" if name == "shell" else "separate"}  # nobody skims a skin; opened is not shelled
         ways = [way for way in ways if unfit.isdisjoint(self.known.motion(way[0]).does)]
         ways = self.with_a_fit_tool(name, ways, want)
         attested = self.bench.attest(ways, want.names, act=True)
