@@ -6,9 +6,12 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeVar
 
 from foon_kg.search.problem import SearchProblem
 from foon_kg.search.unit_index import UnitIndex
+
+T = TypeVar("T")
 
 ANY_GOAL = -1
 """The number of the goal in a core that makes any one of several nodes."""
@@ -45,18 +48,20 @@ class Core:
 
     def only(self, steps: Iterable[int]) -> Core:
         """Return the core of nothing but ``steps`` (by number) and their inputs, numbered anew in the same order."""
-        kept, gap_count = sorted(steps), len(self.gap_nodes)
+        kept = sorted(steps)
         nodes = sorted({self.goal, *(node for step in kept for node in self.inputs[step])})
+        gaps = [step for step in kept if step < len(self.gap_nodes)]
+        units = [step - len(self.gap_nodes) for step in kept[len(gaps) :]]
         place = {node: number for number, node in enumerate(nodes)}
         return Core(
             goal=place[self.goal],
-            nodes=tuple(self.nodes[node] for node in nodes),
-            gap_nodes=tuple(self.gap_nodes[step] for step in kept if step < gap_count),
-            units=tuple(self.units[step - gap_count] for step in kept if step >= gap_count),
-            inputs=tuple(tuple(place[node] for node in self.inputs[step]) for step in kept),
-            outputs=tuple(tuple(place[node] for node in self.outputs[step] if node in place) for step in kept),
-            costs=tuple(self.costs[step] for step in kept if step < gap_count),
-            foods=tuple(self.foods[step] for step in kept),
+            nodes=_at(nodes, self.nodes),
+            gap_nodes=_at(gaps, self.gap_nodes),
+            units=_at(units, self.units),
+            inputs=tuple(_at(self.inputs[step], place) for step in kept),
+            outputs=tuple(_known(self.outputs[step], place) for step in kept),
+            costs=_at(gaps, self.costs),
+            foods=_at(kept, self.foods),
         )
 
     def translated(self, steps: int, other: Core) -> int:
@@ -86,6 +91,16 @@ class Core:
         for step in bits_of(steps):
             found |= self.foods[step]
         return found
+
+
+def _at(places: Iterable[int], of: Sequence[T] | Mapping[int, T]) -> tuple[T, ...]:
+    """Return what is at each of ``places``."""
+    return tuple([of[place] for place in places])
+
+
+def _known(numbers: Iterable[int], place: Mapping[int, int]) -> tuple[int, ...]:
+    """Return the new numbers of those that have one, by their ``place``."""
+    return tuple([there for number in numbers if (there := place.get(number)) is not None])
 
 
 def bits_of(mask: int) -> Iterator[int]:
@@ -118,22 +133,25 @@ def core_behind_any(problem: SearchProblem, goals: Iterable[int], *, limit: floa
 
 
 def _behind(problem: SearchProblem, goal: int, makers: Iterable[int], limit: float) -> tuple[set[int], set[int]]:
-    """Return the nodes and the units behind ``goal``, which ``makers`` make."""
+    """Return the nodes and the units behind ``goal``, which ``makers`` make; nothing dearer than ``limit``."""
     index = problem.index
-    there = {index.number_of[node] for node in problem.available if node in index.number_of}
     dearest = None if limit == math.inf else index.dearest_inputs
-    nodes, units = {goal}, {maker for maker in makers if dearest is None or dearest[maker] <= limit}
+    known = {index.number_of[node] for node in problem.available if node in index.number_of}
+    nodes, units = {goal}, set(_cheap(makers, dearest, limit))
     waiting = list(units)
     for unit in waiting:  # grows while it is read
         for node in index.inputs[unit]:
-            if node not in nodes and not index.at_hand[node] and node not in there:
+            if not (index.at_hand[node] or node in nodes or node in known):
                 nodes.add(node)
-                fresh = [maker for maker in index.producers[node] if maker not in units]
-                if dearest is not None:
-                    fresh = [maker for maker in fresh if dearest[maker] <= limit]
-                units.update(fresh)
+                fresh = set(_cheap(index.producers[node], dearest, limit)) - units
+                units |= fresh
                 waiting.extend(fresh)
     return nodes, units
+
+
+def _cheap(makers: Iterable[int], dearest: Sequence[float] | None, limit: float) -> Iterable[int]:
+    """Return those of ``makers`` whose ``dearest`` input costs at most ``limit``; all where that is ``None``."""
+    return makers if dearest is None else [maker for maker in makers if dearest[maker] <= limit]
 
 
 def _numbered(
@@ -144,25 +162,23 @@ def _numbered(
     *,
     makers: frozenset[int] = frozenset(),
 ) -> Core:
+    """Return the core of the nodes and units ``found``; each of ``makers`` makes the goal beside its outputs."""
     index, (nodes, units) = problem.index, found
     costs = {node: cost for node in nodes if node != goal and (cost := index.gap_costs[node]) is not None}
     gaps = sorted((node for node, cost in costs.items() if cost <= limit), reverse=True)
     falling = sorted(units, reverse=True)
     place = {node: number for number, node in enumerate(sorted(nodes))}
-    get = place.get
-
-    def local(numbers: Iterable[int]) -> tuple[int, ...]:
-        return tuple([there for number in numbers if (there := get(number)) is not None])
 
     def made(unit: int) -> tuple[int, ...]:
-        return (*local(index.outputs[unit]), place[goal]) if unit in makers else local(index.outputs[unit])
+        outputs = _known(index.outputs[unit], place)
+        return (*outputs, place[goal]) if unit in makers else outputs
 
     return Core(
         goal=place[goal],
         nodes=tuple(sorted(nodes)),
         gap_nodes=tuple(gaps),
         units=tuple(falling),
-        inputs=((),) * len(gaps) + tuple(local(index.inputs[unit]) for unit in falling),
+        inputs=((),) * len(gaps) + tuple(_known(index.inputs[unit], place) for unit in falling),
         outputs=tuple((place[gap],) for gap in gaps) + tuple(map(made, falling)),
         costs=tuple(costs[gap] for gap in gaps),
         foods=foods_of_steps(index, gaps, falling, problem.wanted),

@@ -78,13 +78,22 @@ def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> He
     ``weights`` are those of the steps by number; the nodes ``there`` are free. This is h^max (Bonet and Geffner:
     Planning as heuristic search, 2001), by Dijkstra's algorithm.
     """
-    outputs, users = web.core.outputs, web.users
     of_node = _at_once(web, weights, there)
-    missing, supporter = web.arity.copy(), [_NEVER] * len(web.arity)
-    for step in users[_FREE]:
+    supporter = [_NEVER] * len(web.arity)
+    for step in web.users[_FREE]:
         supporter[step] = _FREE
     waiting = [(height, node) for node, height in enumerate(of_node) if height != math.inf]
     heapify(waiting)
+    found = Heights(of_node, supporter)
+    _climb(web, weights, found, waiting)
+    return found
+
+
+def _climb(web: Web, weights: Sequence[int], found: Heights, waiting: list[tuple[float, int]]) -> None:
+    """Raise ``found`` from the heights in the heap ``waiting``, which need no other node, to those of all nodes."""
+    # searches spend most of their time here: no calls, and locals for all that is read
+    outputs, users, of_node, supporter = web.core.outputs, web.users, found.of_node, found.supporter
+    missing = web.arity.copy()
     while waiting:
         height, lowest = heappop(waiting)
         if height > of_node[lowest]:
@@ -103,7 +112,6 @@ def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> He
                             heappush(waiting, (cost, made))
                         else:
                             level.append(made)
-    return Heights(of_node, supporter)
 
 
 def _at_once(web: Web, weights: Sequence[int], there: Collection[int]) -> list[float]:

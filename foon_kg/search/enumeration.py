@@ -6,7 +6,7 @@ which trees the choice was. It works on nodes and units as they are and shares n
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice, product
@@ -141,16 +141,21 @@ def _tree(problem: SearchProblem, goal: ObjectNode, choices: Choices) -> Referen
     """Return the tree that was chosen, its units still in no order."""
     units = {unit.unit.key: unit for unit in choices.values() if unit is not None}
     gaps = tuple(sorted((node for node, unit in choices.items() if unit is None), key=lambda node: node.sort_key))
-    nodes = {node for known in units.values() for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
     costs = (problem.index.gap_costs[problem.index.number_of[gap]] for gap in gaps)
     return ReferenceTree(
         goal=goal,
         units=tuple(units.values()),
         gaps=gaps,
         penalty=sum(cost or 0 for cost in costs),
-        covered=tuple(sorted({problem.wanted[node.label] for node in nodes if node.label in problem.wanted})),
+        covered=_covered(problem, units.values()),
         exact=False,
     )
+
+
+def _covered(problem: SearchProblem, units: Iterable[KnownUnit]) -> tuple[int, ...]:
+    """Return the numbers of the wanted foods that ``units`` name, sorted."""
+    labels = {node.label for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+    return tuple(sorted({problem.wanted[label] for label in labels if label in problem.wanted}))
 
 
 def _scheduled(problem: SearchProblem, tree: ReferenceTree) -> ReferenceTree:

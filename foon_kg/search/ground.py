@@ -99,25 +99,33 @@ class Explored:
 
 def _within_limits(problem: SearchProblem, goals: Goals, deadline: Deadline) -> tuple[Core, LeastPenalty] | None:
     """Find the least penalty among what may be in trees that cost little, and only else among all: most do."""
-    index = problem.index
-    makers = {unit for goal in goals for unit in index.producers[goal]}
-    least = 0 if problem.available else min((index.dearest_inputs[unit] for unit in makers), default=math.inf)
+    least = _least_possible(problem, goals)
     if least == math.inf:
         return None
     limit = math.inf if problem.available else _AT_FIRST * least
     while True:
-        core = (
-            core_behind(problem, goals[0], limit=limit)
-            if len(goals) == 1
-            else core_behind_any(problem, goals, limit=limit)
-        )
+        core = _core_of(problem, goals, limit)
         found = within_least_penalty(core, deadline)
         if found is not None and found.penalty <= limit:
             return core, found
         if limit == math.inf:
             return None
-        # a tree that was found says how much a better one may cost
-        limit = found.penalty if found is not None else _THEN * least if limit < _THEN * least else math.inf
+        wider = _THEN * least if limit < _THEN * least else math.inf
+        limit = wider if found is None else found.penalty  # a tree says how much a better one may cost
+
+
+def _least_possible(problem: SearchProblem, goals: Goals) -> float:
+    """Return what no tree of ``goals`` can be cheaper than: nothing is known of that where something is available."""
+    if problem.available:
+        return 0
+    makers = {unit for goal in goals for unit in problem.index.producers[goal]}
+    return min((problem.index.dearest_inputs[unit] for unit in makers), default=math.inf)
+
+
+def _core_of(problem: SearchProblem, goals: Goals, limit: float) -> Core:
+    if len(goals) == 1:
+        return core_behind(problem, goals[0], limit=limit)
+    return core_behind_any(problem, goals, limit=limit)
 
 
 def _labels(index: UnitIndex, core: Core, steps: Iterable[int]) -> frozenset[str]:

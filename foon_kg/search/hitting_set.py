@@ -6,7 +6,7 @@ Sets are integers with one bit a member.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from foon_kg.search.core import bits_of
@@ -46,16 +46,20 @@ class HittingSets:
         """Return all members of all cheapest sets that hit ``sets``; where the deadline passes, perhaps others too."""
         possible = 0
         for part in parts_of(minimal(sets)):
-            bound, left = ascent(part, self.costs)
-            found = self.cheapest(part)
-            least = math.inf if found is None else self.cost_of(found)
-            possible |= found or 0
-            for member in left:
-                if not possible >> member & 1 and bound + left[member] <= least:
-                    others = [one for one in part if not one >> member & 1]
-                    found = self.cheapest(others, least - self.costs[member])
-                    if found is not None or self.deadline.has_passed():
-                        possible |= (found or 0) | 1 << member
+            possible |= self._members_of_part(part)
+        return possible
+
+    def _members_of_part(self, part: tuple[int, ...]) -> int:
+        """Return the members of all cheapest sets that hit a part that shares no member with the others."""
+        bound, left = ascent(part, self.costs)
+        found = self.cheapest(part)
+        least = math.inf if found is None else self.cost_of(found)
+        possible = found or 0
+        for member in left:
+            if not possible >> member & 1 and bound + left[member] <= least:
+                found = self.cheapest(_without(part, member), least - self.costs[member])
+                if found is not None or self.deadline.has_passed():
+                    possible |= (found or 0) | 1 << member
         return possible
 
     def cost_of(self, members: int) -> int:
@@ -101,6 +105,11 @@ def _undominated(sets: list[int], costs: Sequence[int]) -> list[int]:
                 idle |= 1 << member
                 break
     return minimal([one & ~idle for one in sets]) if idle else sets
+
+
+def _without(sets: Iterable[int], member: int) -> list[int]:
+    """Return the ``sets`` that ``member`` does not hit."""
+    return [one for one in sets if not one >> member & 1]
 
 
 def parts_of(sets: Sequence[int]) -> list[tuple[int, ...]]:

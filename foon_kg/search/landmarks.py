@@ -29,7 +29,20 @@ def landmarks_of(core: Core, order: Sequence[int]) -> Landmarks:
 
     The greatest fixed point of Keyder, Richter and Helmert (ECAI 2010), see above.
     """
-    width = len(core.nodes)  # nodes in the low bits, steps above them
+    width = len(core.nodes)
+    of_node, of_step = _fixed_point(core, order)
+    low = (1 << width) - 1
+    return Landmarks(
+        steps_of_node=[mask >> width for mask in of_node],
+        nodes_of_node=[mask & low for mask in of_node],
+        steps_of_step=[mask >> width for mask in of_step],
+        nodes_of_step=[mask & low for mask in of_step],
+    )
+
+
+def _fixed_point(core: Core, order: Sequence[int]) -> tuple[list[int], list[int]]:
+    """Return the landmarks of the nodes and of the steps as masks: nodes in the low bits, steps above them."""
+    width = len(core.nodes)
     of_node, of_step = [0] * width, [0] * core.step_count
     changed = True
     while changed:
@@ -44,10 +57,4 @@ def landmarks_of(core: Core, order: Sequence[int]) -> Landmarks:
             for node in core.outputs[step]:
                 before = of_node[node]
                 of_node[node] = 1 << node | (before & needs if before else needs)
-    low = (1 << width) - 1
-    return Landmarks(
-        steps_of_node=[mask >> width for mask in of_node],
-        nodes_of_node=[mask & low for mask in of_node],
-        steps_of_step=[mask >> width for mask in of_step],
-        nodes_of_step=[mask & low for mask in of_step],
-    )
+    return of_node, of_step

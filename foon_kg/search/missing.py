@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from foon_kg.model import ObjectNode
 from foon_kg.plans.shortage import MOST_NAMED, named, remedies
-from foon_kg.search.core import core_behind
+from foon_kg.search.core import Core, core_behind
 from foon_kg.search.forward import chain
 from foon_kg.search.problem import NoWayError, SearchProblem
 
@@ -29,13 +29,19 @@ def missing_behind(problem: SearchProblem, target: ObjectNode) -> tuple[ObjectNo
         return (target,)
     core = core_behind(problem, number)
     _, made = chain(core, range(core.step_count))
+    makers = _makers(core)
+    stopped = [node for node in _nearest_first(core.goal, makers, core.inputs) if not made[node]]
+    nobody = [node for node in stopped if not makers[node]]
+    return tuple(problem.index.nodes[core.nodes[node]] for node in nobody or stopped)
+
+
+def _makers(core: Core) -> list[list[int]]:
+    """Return for each node of a core the steps that make it."""
     makers: list[list[int]] = [[] for _ in core.nodes]
     for step, nodes in enumerate(core.outputs):
         for node in nodes:
             makers[node].append(step)
-    stopped = [node for node in _nearest_first(core.goal, makers, core.inputs) if not made[node]]
-    nobody = [node for node in stopped if not makers[node]]
-    return tuple(problem.index.nodes[core.nodes[node]] for node in nobody or stopped)
+    return makers
 
 
 def _nearest_first(goal: int, makers: list[list[int]], inputs: Sequence[tuple[int, ...]]) -> list[int]:

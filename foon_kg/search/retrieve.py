@@ -61,12 +61,15 @@ class _TargetSearch:
         number_of, available = self.problem.index.number_of, self.problem.available
         yield from (ReferenceTree(node, (), (), 0, (), exact=True) for node in targets if node in available)
         goals = tuple(number_of[node] for node in targets if node not in available and node in number_of)
-        if len(goals) > 1 and not self.problem.wanted:
-            together = self._tree(goals)
-            if together is not None:
-                yield together
-                return
-        yield from (tree for goal in goals if (tree := self._tree((goal,))) is not None)
+        yield from filter(None, self._trees_of(goals))
+
+    def _trees_of(self, goals: Goals) -> Iterator[ReferenceTree | None]:
+        """Yield the best tree of all ``goals`` together where no food is wanted, else that of each."""
+        together = self._tree(goals) if len(goals) > 1 and not self.problem.wanted else None
+        if together is not None:
+            yield together
+        else:
+            yield from (self._tree((goal,)) for goal in goals)
 
     def _tree(self, goals: Goals) -> ReferenceTree | None:
         ground = self.explored.ground(self.problem, goals, self.deadline)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from heapq import heapify, heappop, heappush
@@ -52,20 +52,18 @@ class UnitIndex:
         kept = tuple(by_key[key] for key in sorted(by_key) if _makes_something(by_key[key]))
         nodes = _nodes_of(kept)
         number_of = {node: number for number, node in enumerate(nodes)}
-        inputs = tuple(tuple(number_of[node] for node in known.unit.input_nodes) for known in kept)
-        outputs = tuple(tuple(number_of[node] for node in known.unit.output_nodes) for known in kept)
+        outputs = tuple(_numbers(known.unit.output_nodes, number_of) for known in kept)
         there = tuple(map(at_hand, nodes))
+        costs = [None if has else _checked(gap_cost(node), node) for node, has in zip(nodes, there, strict=True)]
         return cls(
             units=kept,
             nodes=nodes,
             number_of=number_of,
-            inputs=inputs,
+            inputs=tuple(_numbers(known.unit.input_nodes, number_of) for known in kept),
             outputs=outputs,
             producers=_producers(outputs, len(nodes)),
             at_hand=there,
-            gap_costs=tuple(
-                None if has else _checked(gap_cost(node), node) for node, has in zip(nodes, there, strict=True)
-            ),
+            gap_costs=tuple(costs),
             units_naming=_units_naming(kept),
         )
 
@@ -76,17 +74,9 @@ class UnitIndex:
         The dearest input of a unit counts, and the cheapest way to a node: h^max (Bonet and Geffner: Planning as
         heuristic search, 2001), by Dijkstra's algorithm.
         """
-        users: list[list[int]] = [[] for _ in self.nodes]
-        missing = [0] * len(self.units)  # how many inputs of a unit nobody has yet
+        users, missing = self._users_and_missing()
         least = [0 if there else math.inf for there in self.at_hand]
-        waiting = [(cost, node) for node, cost in enumerate(self.gap_costs) if cost is not None]
-        for unit, nodes in enumerate(self.inputs):
-            wanted = [node for node in nodes if not self.at_hand[node]]
-            missing[unit] = len(wanted)
-            for node in wanted:
-                users[node].append(unit)
-            if not wanted:
-                waiting += [(0, node) for node in self.outputs[unit]]
+        waiting = self._costs_at_once(missing)
         heapify(waiting)
         while waiting:
             cost, node = heappop(waiting)
@@ -99,6 +89,22 @@ class UnitIndex:
                     heappush(waiting, (cost, made))
         return tuple(least)
 
+    def _costs_at_once(self, missing: Sequence[int]) -> list[tuple[int, int]]:
+        """Return the nodes that are taken at a cost, and those made by a unit of which no input is ``missing``."""
+        gaps = [(cost, node) for node, cost in enumerate(self.gap_costs) if cost is not None]
+        return gaps + [(0, node) for unit, count in enumerate(missing) if not count for node in self.outputs[unit]]
+
+    def _users_and_missing(self) -> tuple[list[list[int]], list[int]]:
+        """Return which units take each node that nobody has, and how many such inputs each unit has."""
+        users: list[list[int]] = [[] for _ in self.nodes]
+        missing = [0] * len(self.units)
+        for unit, nodes in enumerate(self.inputs):
+            for node in nodes:
+                if not self.at_hand[node]:
+                    users[node].append(unit)
+                    missing[unit] += 1
+        return users, missing
+
     @cached_property
     def dearest_inputs(self) -> tuple[float, ...]:
         """Return for each unit what its dearest input costs at least, in gaps."""
@@ -108,6 +114,10 @@ class UnitIndex:
 
 def _makes_something(known: KnownUnit) -> bool:
     return not set(known.unit.output_nodes) <= set(known.unit.input_nodes)
+
+
+def _numbers(nodes: Iterable[ObjectNode], number_of: dict[ObjectNode, int]) -> tuple[int, ...]:
+    return tuple([number_of[node] for node in nodes])
 
 
 def _nodes_of(units: Iterable[KnownUnit]) -> tuple[ObjectNode, ...]:

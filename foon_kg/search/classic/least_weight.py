@@ -114,19 +114,21 @@ class _Search(BranchAndBound):
 
         ``outlook`` says what all trees that grow from here weigh at least.
         """
-        weight, steps = self.value
-        needed = _weight_of(self.weights, outlook.needed)
-        if needed > weight or (needed == weight and -outlook.needed >= steps) or self._seen_better(partial, outlook):
+        spare = self.value[0] - _weight_of(self.weights, outlook.needed)
+        if self._is_no_better(outlook, spare) or self._seen_better(partial, outlook):
             return {}
         left = list(self.weights)
         for step in bits_of(outlook.needed):
             left[step] = 0
         cuts = cut_bound(self.reduced.web, left, partial.waiting, list(bits_of(partial.decided)))
-        spare = weight - needed
         if cuts is None or cuts.bound > spare:
             return {}
         found = {node: self.reduced.choice.options(partial, node) for node in partial.waiting}
         return {node: [s for s in makers if cuts.least_with(self.core, s) <= spare] for node, makers in found.items()}
+
+    def _is_no_better(self, outlook: Outlook, spare: int) -> bool:
+        """Whether what is needed leaves no weight to ``spare``, or just none and has no lesser keys than the best."""
+        return spare < 0 or (spare == 0 and -outlook.needed >= self.value[1])
 
     def _seen_better(self, partial: Partial, outlook: Outlook) -> bool:
         key, value = outlook.same_future(partial), self._value_of(partial.chosen)

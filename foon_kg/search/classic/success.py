@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 
 from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.model import KnownUnit, ObjectNode
@@ -14,6 +15,7 @@ from foon_kg.search.classic.effort import efforts
 from foon_kg.search.classic.least_weight import LeastWeight, least_weight
 from foon_kg.search.core import Core, bits_of, core_behind
 from foon_kg.search.deadline import Deadline
+from foon_kg.search.unit_index import UnitIndex
 
 
 @dataclass(frozen=True)
@@ -64,26 +66,48 @@ def likeliest_tree(problem: SearchProblem, costs: MotionCosts, deadline: Deadlin
     units, then the least target. Past the ``deadline`` it is the best found.
     """
     index = problem.index
-    targets = sorted((n for n in set(problem.targets) if n in index.number_of), key=lambda node: node.sort_key)
     if not index.units:
         return None
     effort = _Efforts.of(problem, costs)
-    found: list[tuple[int, list[str], tuple[object, ...], ObjectNode, LeastWeight]] = []
-    for target in targets:
+    found: list[_Candidate] = []
+    targets = {node for node in problem.targets if node in index.number_of}
+    for target in sorted(targets, key=lambda node: node.sort_key):
         least = least_weight(core_behind(problem, index.number_of[target]), effort.weigh, deadline)
         if least is not None:
-            keys = sorted(index.units[unit].unit.key for unit in _units_of(least))
-            found.append((least.weight, keys, target.sort_key, target, least))
+            found.append(_Candidate(target, least, index))
     if not found:
         return None
-    weight, _, _, goal, best = min(found, key=lambda entry: entry[:3])
-    at_least = min(least.at_least for *_, least in found)
-    open_still = any(not least.proven and least.at_least <= weight for *_, least in found)
-    units = [index.units[unit] for unit in _units_of(best)]
-    there = {node for known in units for node in known.unit.input_nodes if index.at_hand[index.number_of[node]]}
-    ordered = schedule(units, there - {goal}, goal)
-    return LikeliestTree(goal, ordered, effort.success(at_least) if open_still else None)
+    best = min(found, key=lambda one: one.rank)
+    at_least = min(one.least.at_least for one in found)
+    return LikeliestTree(best.goal, best.ordered(), None if _decided(found, best) else effort.success(at_least))
 
 
-def _units_of(least: LeastWeight) -> list[int]:
-    return [least.core.units[step] for step in bits_of(least.steps)]
+@dataclass(frozen=True, eq=False)
+class _Candidate:
+    """The lightest tree of one target."""
+
+    goal: ObjectNode
+    least: LeastWeight
+    index: UnitIndex
+
+    @cached_property
+    def units(self) -> list[KnownUnit]:
+        """The units of the tree, in no order of execution."""
+        return [self.index.units[self.least.core.units[step]] for step in bits_of(self.least.steps)]
+
+    @cached_property
+    def rank(self) -> tuple[int, list[str], tuple[object, ...]]:
+        """What decides between trees: the weight, then the keys of the units, then the target."""
+        return self.least.weight, sorted(known.unit.key for known in self.units), self.goal.sort_key
+
+    def ordered(self) -> tuple[KnownUnit, ...]:
+        """Return the units in an order in which they can be executed."""
+        index = self.index
+        inputs = {node for known in self.units for node in known.unit.input_nodes}
+        there = {node for node in inputs if index.at_hand[index.number_of[node]]}
+        return schedule(self.units, there - {self.goal}, self.goal)
+
+
+def _decided(found: Iterable[_Candidate], best: _Candidate) -> bool:
+    """Whether it is proven that none of the trees ``found`` may be as light as the best, or lighter."""
+    return all(one.least.proven or one.least.at_least > best.least.weight for one in found)
