@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -13,6 +13,7 @@ from foon_kg.food.rows import Food, Kind, Level, Match
 from foon_kg.food.words import plain_words, singular, words
 
 UNKNOWN = Kind("unknown", "Nothing is known of it.")
+_NOT_FOUND = (UNKNOWN.name, "", Match.UNKNOWN)
 _PACKED = "canned"
 
 
@@ -111,19 +112,26 @@ class FoodTable:
         more = next((place for place, word in enumerate(own) if place and word in _MORE), 0)
         if more:  # tomatoes with green chilies are tomatoes, pastry for a pie is pastry
             return self._find(" ".join(own[:more]))
-        for start in range(1, len(own)):
-            phrase = " ".join(own[start:])
-            if phrase in self.kind_of:
-                return self.kind_of[phrase], phrase, Match.HEAD
-        for ending, kind in self.endings:
-            if own and own[-1].endswith(ending):
-                return kind, ending, Match.SUFFIX
-        for length in range(len(own) - 1, 0, -1):
-            for start in range(len(own) - length):
-                phrase = " ".join(own[start : start + length])
-                if phrase in self.kind_of:
-                    return self.kind_of[phrase], phrase, Match.PART
-        return UNKNOWN.name, "", Match.UNKNOWN
+        found = self._listed_among([own[start:] for start in range(1, len(own))], Match.HEAD)
+        return found or self._by_ending(own) or self._listed_among(_phrases(own), Match.PART) or _NOT_FOUND
+
+    def _listed_among(self, phrases: Iterable[Sequence[str]], match: Match) -> tuple[str, str, Match] | None:
+        """Return the kind of the first of ``phrases`` that a kind has among its words."""
+        listed = (phrase for phrase in map(" ".join, phrases) if phrase in self.kind_of)
+        phrase = next(listed, None)
+        return None if phrase is None else (self.kind_of[phrase], phrase, match)
+
+    def _by_ending(self, own: Sequence[str]) -> tuple[str, str, Match] | None:
+        """Return the kind of foods whose last word ends so (*berry*)."""
+        found = ((kind, ending, Match.SUFFIX) for ending, kind in self.endings if own and own[-1].endswith(ending))
+        return next(found, None)
+
+
+def _phrases(own: Sequence[str]) -> Iterator[Sequence[str]]:
+    """Yield the words in a row of a name, the longer phrases first, without the whole name."""
+    for length in range(len(own) - 1, 0, -1):
+        for start in range(len(own) - length):
+            yield own[start : start + length]
 
 
 def make_room(kept: dict[Any, Any]) -> None:

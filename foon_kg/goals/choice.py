@@ -109,12 +109,19 @@ def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -
     words_there = {word for want in wants for word in words(want.label)}
     for dish in known.dishes_named(dish_type, title):
         ready = dish.name in there or (not dish.is_type and dish.name in words_there)  # it is asked ready made
-        for needs in dish.needs if not ready else ():
-            if not any(meets(need, want.facts, known) for need in needs for want in wants):
-                names = list(dict.fromkeys(need.rpartition(":")[2] for need in needs))
-                shown = names if len(names) <= _MOST_SHOWN else [*names[:_MOST_SHOWN], "the like"]
-                found.append(f"no {dish.name} without {' or '.join(shown)}")
+        lacked = [] if ready else [needs for needs in dish.needs if not _has_any(wants, needs, known)]
+        found += [f"no {dish.name} without {_shown(needs)}" for needs in lacked]
     return found
+
+
+def _has_any(wants: Sequence[Want], needs: Sequence[str], known: Tables) -> bool:
+    return any(meets(need, want.facts, known) for need in needs for want in wants)
+
+
+def _shown(needs: Sequence[str]) -> str:
+    """Return what a dish needs one of in words, the first few by their names."""
+    names = list(dict.fromkeys(need.rpartition(":")[2] for need in needs))
+    return " or ".join(names if len(names) <= _MOST_SHOWN else [*names[:_MOST_SHOWN], "the like"])
 
 
 def is_truly(fit: Fit, share: float = _MOST) -> bool:

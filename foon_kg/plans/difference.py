@@ -58,17 +58,26 @@ def difference(
     old, new = _units(before), _units(after)
     others = {key: tuple(video for video in videos if video != name) for key, videos in shown.items()}
     come = [unit for key, unit in new.items() if key not in old]
-    gone = [unit for key, unit in old.items() if key not in new]
+    added, shared = _apart(come, others)
+    dropped, left = _apart([unit for key, unit in old.items() if key not in new], others)
     return VideoDifference(
         name,
         _status(before, after),
-        added=tuple(unit for unit in come if not others.get(unit.key)),
-        shared=tuple(ShownUnit(unit, others[unit.key]) for unit in come if others.get(unit.key)),
-        dropped=tuple(unit for unit in gone if not others.get(unit.key)),
-        left=tuple(ShownUnit(unit, others[unit.key]) for unit in gone if others.get(unit.key)),
+        added=added,
+        shared=shared,
+        dropped=dropped,
+        left=left,
         kept=len(old.keys() & new.keys()),
         new_labels=tuple(sorted(labels_of(come) - labels)),
     )
+
+
+def _apart(
+    units: Sequence[FunctionalUnit], others: Mapping[str, Videos]
+) -> tuple[tuple[FunctionalUnit, ...], tuple[ShownUnit, ...]]:
+    """Return the units that no other video shows, and those that ``others`` do, with these videos."""
+    alone = tuple(unit for unit in units if not others.get(unit.key))
+    return alone, tuple(ShownUnit(unit, others[unit.key]) for unit in units if others.get(unit.key))
 
 
 def differences(subgraphs: Iterable[Subgraph], foon: Iterable[Subgraph]) -> tuple[VideoDifference, ...]:
