@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from foon_kg.food import Tables, singular, words
+from foon_kg.food.rows import Dish
 from foon_kg.goals.asked import SEASONS, Asked
 from foon_kg.goals.names import BY_TITLE, BY_TYPE
 from foon_kg.goals.recorded import Recorded, recorded
@@ -104,14 +105,21 @@ def _fit(dish: Recorded, asked: Asked, matcher: Matcher) -> Fit:
 
 def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -> list[str]:
     """Return what no dish of that type and title can do without, and the recipe has not."""
-    found = []
-    there = {singular(want.label) for want in wants}
-    words_there = {word for want in wants for word in words(want.label)}
-    for dish in known.dishes_named(dish_type, title):
-        ready = dish.name in there or (not dish.is_type and dish.name in words_there)  # it is asked ready made
-        lacked = [] if ready else [needs for needs in dish.needs if not _has_any(wants, needs, known)]
-        found += [f"no {dish.name} without {_shown(needs)}" for needs in lacked]
-    return found
+    lacked = [
+        (dish.name, needs)
+        for dish in known.dishes_named(dish_type, title)
+        if not _is_asked_ready(dish, wants)
+        for needs in dish.needs
+        if not _has_any(wants, needs, known)
+    ]
+    return [f"no {name} without {_shown(needs)}" for name, needs in lacked]
+
+
+def _is_asked_ready(dish: Dish, wants: Sequence[Want]) -> bool:
+    """Whether a recipe asks for a dish ready made, as one of its foods; of a dish type only by its whole name."""
+    if dish.name in {singular(want.label) for want in wants}:
+        return True
+    return not dish.is_type and any(dish.name in words(want.label) for want in wants)
 
 
 def _has_any(wants: Sequence[Want], needs: Sequence[str], known: Tables) -> bool:
