@@ -1,1 +1,6 @@
-"""What videos teach of making dishes: operators with their evidence, and frames derived from goals."""
+"""What videos teach of making dishes: operators with their evidence, and frames derived from goals.
+
+``frames`` says what a frame is: lines of stages with slots. ``derivation`` finds it in a video that is ``played`` in
+the world, of ``lines`` that grow of what meets. ``operators`` are the ways in which things are done, with what attests
+them.
+"""
