@@ -48,11 +48,20 @@ class Row:
         cls.columns = tuple(cls.__annotations__)
 
     def __init__(self, *values: object, **named: object) -> None:
-        """Take the values of the columns; raises TypeError where there are too many, or one is missing."""
+        """Take the values of the columns; raises TypeError where there are too many or others, or one is missing."""
         known = vars(self)
         known.update(zip(self.columns, values, strict=False), **named)
-        if len(values) + len(named) != len(known) or not all(hasattr(self, name) for name in self.columns):
+        fits = len(values) + len(named) == len(known) and all(hasattr(self, name) for name in self.columns)
+        if not fits or (named and not named.keys() <= set(self.columns)):
             raise TypeError(f"{type(self).__name__} has the columns {', '.join(self.columns)}")
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Raise AttributeError: a row stays as it is, since its hash is that of its values."""
+        raise AttributeError(f"{type(self).__name__} stays as it is: {name} cannot be set")
+
+    def __delattr__(self, name: str) -> None:
+        """Raise AttributeError, as where a value is set."""
+        raise AttributeError(f"{type(self).__name__} stays as it is: {name} cannot be deleted")
 
     def __eq__(self, other: object) -> bool:
         """Whether the other one is such a row with the same values."""
