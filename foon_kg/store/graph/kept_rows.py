@@ -9,12 +9,10 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any
 
 from foon_kg.model import kept
-from foon_kg.store.graph.statements import Statement
-
-Row = TypeVar("Row")
+from foon_kg.store.graph.statements import R, Statement
 
 _FOLDER = "editions"
 
@@ -25,18 +23,18 @@ class KeptRows:
 
     edition: str
 
-    def read(self, statement: Statement[Row], parameters: Mapping[str, Any]) -> list[Row] | None:
+    def read(self, statement: Statement[R], parameters: Mapping[str, Any]) -> list[R] | None:
         """Return the rows that are kept for ``statement`` with these ``parameters``, ``None`` where there are none."""
         body = kept.find(_FOLDER, self._asked(statement, parameters))
         return None if body is None else [statement.row(*values) for values in json.loads(body)]
 
-    def write(self, statement: Statement[Row], parameters: Mapping[str, Any], rows: list[Row]) -> None:
+    def write(self, statement: Statement[R], parameters: Mapping[str, Any], rows: list[R]) -> None:
         """Keep the ``rows`` of ``statement`` with these ``parameters``, whole or not at all."""
         values = [[getattr(row, column) for column in _columns(statement)] for row in rows]
         body = json.dumps(values, ensure_ascii=False, separators=(",", ":"))
         kept.keep(_FOLDER, self._asked(statement, parameters), body)
 
-    def _asked(self, statement: Statement[Row], parameters: Mapping[str, Any]) -> str:
+    def _asked(self, statement: Statement[R], parameters: Mapping[str, Any]) -> str:
         """Return what is asked; a statement with other columns asks something else."""
         return json.dumps([self.edition, statement.name, _columns(statement), parameters], sort_keys=True)
 

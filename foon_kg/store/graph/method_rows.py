@@ -23,6 +23,9 @@ FrameReadValue = tuple[str, str, list[str]]
 PostCount = tuple[str, str, str, str, bool, int]
 """``[kind, dish_type, work, heated, joins, count]``."""
 
+NearValue = tuple[str, int, float | None, list[str]]
+"""A food, how many points were looked at for it, the cosine of the furthest, and the names of the near ones."""
+
 
 class AttestedRow(Row):
     """For each unit its key, that of its operator, what it is done to, and what of that it changes."""
@@ -76,7 +79,7 @@ class MethodsAskedRow(Row):
     For each matter the evidence of its operators, from where they bring it (number, role, count), and its states.
     """
 
-    near: list[tuple[str, int, float | None, list[str]]]
+    near: list[NearValue]
     matters: list[MatterValue]
 
 

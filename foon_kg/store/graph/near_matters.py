@@ -13,7 +13,7 @@ from foon_kg.similarity.points import Question, question
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.equivalents import FIRST, MORE
 from foon_kg.store.graph.lifting import KIND
-from foon_kg.store.graph.method_rows import MatterValue, MethodsAskedRow
+from foon_kg.store.graph.method_rows import MatterValue, MethodsAskedRow, NearValue
 
 _SLACK = 1e-4
 """Points are stored as single floats."""
@@ -22,9 +22,6 @@ _HALVINGS = 30
 
 MOST = FIRST * MORE
 """So many points are asked for at most."""
-
-NearValue = tuple[str, int, float | None, list[str]]
-"""A food, how many points were looked at for it, the cosine of the furthest, and the names of the near ones."""
 
 Ask = Callable[[Mapping[str, Any]], list[MethodsAskedRow]]
 
@@ -65,9 +62,7 @@ class KnownMatters:
         self._settle(rows[0].near, waiting, count)
         return True
 
-    def _settle(
-        self, near: Iterable[tuple[str, int, float | None, list[str]]], waiting: dict[str, Question], count: int
-    ) -> None:
+    def _settle(self, near: Iterable[NearValue], waiting: dict[str, Question], count: int) -> None:
         """Keep the foods near to those that are ``waiting``, unless of ``count`` points more may be as near."""
         for food, size, furthest, names in near:
             if size < count or (furthest or 0.0) < _least(waiting[food]):

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain, groupby
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import neo4j
 
@@ -49,6 +49,7 @@ from foon_kg.store.graph.statements import (
     VIDEO_NAMES,
     VOCABULARY,
     WORDS_FOR,
+    R,
     Statement,
     ask,
 )
@@ -57,8 +58,6 @@ from foon_kg.store.graph.words import WordsFound, find_words, seen_as
 
 if TYPE_CHECKING:
     from foon_kg.integration.methods import Methods
-
-Row = TypeVar("Row")
 
 MOST_LEARNT_ANEW = 500
 """Of so many videos what another program learnt is learnt anew to read it, which takes some ten seconds."""
@@ -340,7 +339,7 @@ class GraphView:
                 KeptRows(state.edition).write(statement, parameters, rows)
         self._fetched.clear()
 
-    def ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+    def ask(self, statement: Statement[R], **parameters: object) -> list[R]:
         """Return the rows of a ``statement`` that reads, in one round trip."""
         return self._ask(statement, **parameters)
 
@@ -348,7 +347,7 @@ class GraphView:
         """Return the units with these ``keys`` that are there, in their order."""
         return self._units(keys)
 
-    def _ask_once(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+    def _ask_once(self, statement: Statement[R], **parameters: object) -> list[R]:
         """Return what no program of this user asks twice of one edition."""
         if self._edition.name is None:
             return self._ask(statement, **parameters)
@@ -358,6 +357,6 @@ class GraphView:
             self._fetched.append((statement, parameters, rows))
         return rows
 
-    def _ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+    def _ask(self, statement: Statement[R], **parameters: object) -> list[R]:
         self.round_trips += 1
         return ask(self._transaction, statement, **parameters)

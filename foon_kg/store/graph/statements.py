@@ -13,15 +13,16 @@ from foon_kg.store.graph import method_rows, recipe_rows, rows
 
 _log = logging.getLogger(__name__)
 
-Row = TypeVar("Row")
+R = TypeVar("R", bound=rows.Row)
+"""A kind of rows."""
 
 
 @dataclass(frozen=True)
-class Statement(Generic[Row]):
+class Statement(Generic[R]):
     """A query by name; its columns are the fields of ``row``, in order."""
 
     name: str
-    row: type[Row]
+    row: type[R]
 
 
 SCHEMA_STATE = Statement("schema_state", rows.SchemaState)
@@ -126,12 +127,12 @@ WANTED_FOODS = Statement("wanted_foods", recipe_rows.WantedFoodRow)
 class Ask(Protocol):
     """Runs a statement in a transaction, or on what is staged for an import (:mod:`foon_kg.store.offline`)."""
 
-    def __call__(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+    def __call__(self, statement: Statement[R], **parameters: object) -> list[R]:
         """Return its rows."""
         ...
 
 
-def ask(transaction: Transaction | ManagedTransaction, statement: Statement[Row], **parameters: object) -> list[Row]:
+def ask(transaction: Transaction | ManagedTransaction, statement: Statement[R], **parameters: object) -> list[R]:
     """Run ``statement`` in ``transaction``, in one round trip, and return its rows."""
     _log.debug("%s", statement.name)
     result = transaction.run(named_query(statement.name).text, parameters)

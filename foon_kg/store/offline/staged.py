@@ -18,7 +18,7 @@ from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.method_rows import AttestedRow, EvidenceRow
 from foon_kg.store.graph.rows import ContentRow, KeyRow, NameRow, SchemaState
 from foon_kg.store.graph.schema import kitchen_key
-from foon_kg.store.graph.statements import Row, Statement
+from foon_kg.store.graph.statements import R, Statement
 from foon_kg.store.offline.database import Rows, cell, edges_of, joined, nodes_of, split
 from foon_kg.store.offline.recipes import StagedRecipes
 from foon_kg.store.offline.tables import END, NUMBER, START, named
@@ -31,7 +31,7 @@ class Staged(StagedRecipes):
         super().__init__(path)
         self._kitchen = kitchen
 
-    def ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+    def ask(self, statement: Statement[R], **parameters: object) -> list[R]:
         """Do what ``statement`` does, and return its rows."""
         return getattr(self, statement.name)(**parameters) or []
 
