@@ -21,7 +21,6 @@ LAID = replace(MIX, motion="", does=frozenset(), tools=(), vessel="baking dish",
 BAKE = replace(LAID, motion="bake", does=frozenset({"dry", "heat"}), appliance="oven", source="heat")
 TOP = replace(LAID, vessel="plate", relation="on")
 COOL = replace(LAID, motion="cool", does=frozenset({"wait"}))
-CHILL = replace(COOL, motion="chill", appliance="refrigerator", source="cold")
 
 
 def fresh(*stages: Stage) -> tuple[Stage, ...]:

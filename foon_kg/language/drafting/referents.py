@@ -381,8 +381,3 @@ def _is_shaped(words: Sequence[str]) -> bool:
     """Whether a name is that of a shape into which something was made, and of nothing bought: a few ice cubes."""
     ends = (" ".join(words[place:]) for place in range(len(words) - 1))
     return words[-1] in _SHAPES and not any(tables().foods.is_listed(end) for end in ends)
-
-
-def is_mixed(name: str) -> bool:
-    """Whether a name is one of those that cooks give to what they mixed."""
-    return canonical(name) in _MIXED
