@@ -215,16 +215,17 @@ def _drafts(
     failed: list[str] | None = None,
 ) -> Iterable[Draft]:
     """Yield the drafts; one that cannot be made is told and, where ``failed`` is given, only named there."""
-    from foon_kg.cli.knowledge import front_door
+    from foon_kg.cli.knowledge import whole_foon
+    from foon_kg.foon import Foon
 
-    def odd(narration: Narration, error: Exception) -> None:
+    def tell_odd(narration: Narration, error: Exception) -> None:
         if failed is None:
             raise error
         failed.append(narration.name)
         say(f"{narration.source}: {narration.name} could not be drafted: {error!r}. The others are.")
 
-    with front_door(files, say) as foon:
-        yield from foon.drafts(narrations, dish, odd=odd)
+    with Foon(whole_foon(files, say)) as foon:  # no connection stays open while the drafts are made
+        yield from foon.drafts(narrations, dish, tell_odd=tell_odd)
 
 
 def _lines(path: Path) -> tuple[str, ...]:

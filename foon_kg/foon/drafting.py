@@ -38,11 +38,11 @@ class Drafting(Changing):
         narrations: Iterable[Narration],
         dish_type: str | None = None,
         *,
-        odd: Callable[[Narration, Exception], None] | None = None,
+        tell_odd: Callable[[Narration, Exception], None] | None = None,
     ) -> Iterator[Draft]:
         """Yield the :meth:`draft` of each of ``narrations``, all with this ``dish_type``; the FOON is read once.
 
-        One that cannot be drafted is told to ``odd`` and passed over; without that its error is raised.
+        One that cannot be drafted is told to ``tell_odd`` and passed over; without that its error is raised.
 
         >>> from foon_kg.model.narration import Mention, NarratedAction, Narration
         >>> told = [Narration(name, (NarratedAction("wash", (Mention(name),)),)) for name in ("tomato", "lettuce")]
@@ -61,9 +61,9 @@ class Drafting(Changing):
                 told = with_actions(narration, precedents.verbs, precedents.names) if narration.sentences else narration
                 made = draft(told, precedents, dish_type=dish_type)
             except (FoonError, LookupError, ValueError) as error:  # one odd narration ends no batch
-                if odd is None:
+                if tell_odd is None:
                     raise
-                odd(narration, error)
+                tell_odd(narration, error)
             else:
                 yield made
 
