@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import cached_property, partial
@@ -20,6 +21,9 @@ WHOLE = 50_000
 
 UNITS_A_RECIPE = 100
 """To read and to learn so many units takes as long as to ask for what one recipe more needs."""
+
+UNCOUNTED = sys.maxsize
+"""So many questions are taken for granted where nobody says how many there are."""
 
 _MOST_KEPT = 8
 """For so many different settings what plans is kept ready."""
@@ -93,8 +97,8 @@ class Answering(Drafting):
         Many are answered from the whole FOON as it stands now, where that is cheaper than to ask for what each needs,
         in ``jobs`` processes (as a rule as many cores as it is worth to start one on), or on the cluster of the Dask
         scheduler at ``dask``; none of it changes an answer. Questions that are not a sequence are taken one by one;
-        ``count`` says how many they are. Raises :class:`~foon_kg.model.errors.FoonError` where a process is ended from
-        outside.
+        ``count`` says how many they are, and without it they are taken for many: the whole FOON is read, on all cores.
+        Raises :class:`~foon_kg.model.errors.FoonError` where a process is ended from outside.
 
         >>> from foon_kg.planning.batch import Question
         >>> from foon_kg.planning.settings import PlanSettings
@@ -106,7 +110,7 @@ class Answering(Drafting):
         from foon_kg.planning.batch import MANY, processes_for
 
         if count is None:
-            count = len(questions) if isinstance(questions, Sequence) else MANY
+            count = len(questions) if isinstance(questions, Sequence) else UNCOUNTED
         if not count:
             yield ()
             return
@@ -115,7 +119,7 @@ class Answering(Drafting):
             opened = self._on_cluster(questions, settings, dask)
         elif count < MANY:
             opened = self._of_view(questions, settings, alone=count == 1)
-        elif self._is_cheaper_in_parts(settings, count // jobs):
+        elif self._is_cheaper_in_parts(settings, max(1, count // jobs)):
             opened = self._in_parts(questions, settings, jobs)
         else:
             opened = self._of_whole(questions, settings, jobs)

@@ -6,6 +6,7 @@ import doctest
 import re
 import subprocess
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 
 import networkx as nx
@@ -19,6 +20,7 @@ from foon_kg.foon import answering, changing, collected, drafting, opened, plan
 from foon_kg.loaders import read_paths
 from foon_kg.loaders.recipe_collections import RecipeCollections
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
+from foon_kg.planning import batch
 from foon_kg.planning.batch import Question
 from foon_kg.planning.settings import PlanSettings
 
@@ -129,6 +131,25 @@ def test_many_questions_have_the_answers_that_each_has_alone(door):
     assert [one.error is None for one in alone] == [True, True, False]
     with door.answers([], PlanSettings()) as none:
         assert list(none) == []
+
+
+def test_questions_that_nobody_counted_are_taken_for_many(door, monkeypatch):
+    processes = []
+    monkeypatch.setattr(batch, "cores", lambda: 8)
+    monkeypatch.setattr(Foon, "_of_whole", lambda *asked: processes.append(asked[-1]) or nullcontext(()))
+    questions = [Question(dish_type="salad", texts=("olive oil",))] * 4
+    for asked, count in ((questions, None), (iter(questions), 4), (iter(questions), None)):
+        with door.answers(asked, PlanSettings(), count=count):
+            pass
+    assert processes == [1, 1, 8]
+
+
+def test_a_process_has_one_recipe_at_least(door, monkeypatch):
+    recipes = []
+    monkeypatch.setattr(Foon, "_is_cheaper_in_parts", lambda _, settings, count: bool(recipes.append(count)))
+    monkeypatch.setattr(Foon, "_of_whole", lambda *_: nullcontext(()))
+    with door.answers([Question(dish_type="salad", texts=("olive oil",))] * 4, PlanSettings(), jobs=8):
+        assert recipes == [1]
 
 
 def test_a_tree_is_retrieved_as_it_is_asked_for(door, tmp_path):
