@@ -92,7 +92,13 @@ Output = Annotated[
 ]
 Jobs = Annotated[
     int | None,
-    typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule one, for many all cores."),
+    typer.Option(
+        "--jobs",
+        "-j",
+        metavar="N",
+        min=1,
+        help="Plan in N processes; as a rule one for each 64 recipes, at most all cores.",
+    ),
 ]
 Dask = Annotated[
     str | None,

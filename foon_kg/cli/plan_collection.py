@@ -1,4 +1,4 @@
-"""``foon plan --recipes``: a whole collection of the graph planned into a file, on all cores, and gone on with."""
+"""``foon plan --recipes``: a whole collection of the graph planned into a file in many processes, and gone on with."""
 
 from __future__ import annotations
 

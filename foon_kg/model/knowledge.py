@@ -96,7 +96,7 @@ class Neighbour:
 
 @dataclass(frozen=True)
 class LikelyGoals:
-    """Goals among which the likest to a recipe are sought (:mod:`foon_kg.goals.ranking`).
+    """Goals among which the likest to a recipe are sought (:mod:`foon_kg.goals.choice`).
 
     No other goal of the asked dish types scores more than ``most``; ``None`` where there is no other. ``known_foods``
     has every known food that the label of one of ``goals`` names, each word in the singular.
