@@ -18,9 +18,9 @@ def hot_on_cold(case: Case) -> Iterator[Finding]:
         return
     cold = [part for part in case.parts if part.heated is None and part.food.is_a(*word_list("suffers from heat"))]
     for part in case.parts:
-        met_hot = any(not _has_cooled(part, other) for other in cold)
-        if met_hot and not part.food.is_a("fat", "liquid", "water", *word_list("only flavours")):
-            yield Finding("K3", f"{part.name} comes hot to {cold[0].name}", part.joined, minor=True)
+        met = next((other for other in cold if not _has_cooled(part, other)), None)
+        if met is not None and not part.food.is_a("fat", "liquid", "water", *word_list("only flavours")):
+            yield Finding("K3", f"{part.name} comes hot to {met.name}", part.joined, minor=True)
 
 
 def _is_dressed_cold(case: Case) -> bool:
@@ -33,7 +33,7 @@ def _has_cooled(part: Part, other: Part) -> bool:
     """Whether a food cooled after its last heating, and not only together with another, or was never hot."""
     if part.heated is None:
         return True
-    return part.cooled is not None and part.heated < part.cooled != other.cooled
+    return part.cooled is not None and part.cooled > part.heated and part.cooled != other.cooled
 
 
 def lumpy(case: Case) -> Iterator[Finding]:

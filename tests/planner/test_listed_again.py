@@ -62,6 +62,8 @@ def test_butter_and_milk_beside_fine_sugar_are_its_frosting_where_the_batter_has
     batter = ("flour:powder", "baking soda:powder", "sugar:granulated", "egg:uncooked", "water:liquid", "oil:liquid")
     told = steps("cake", "", *batter, "butter:softened", "powdered sugar:powder", "milk:liquid")
     assert {"butter", "powdered sugar", "milk"}.isdisjoint(inside(told, "bake"))
+    mixed = [set(out[0].ingredients) for _, one, out in told if one in {"mix", "stir", "beat", "blend", "whisk"}]
+    assert {"butter", "powdered sugar", "milk"} in mixed
 
 
 def test_icing_of_brown_sugar_butter_and_milk_is_cooked(steps):

@@ -62,6 +62,6 @@ def test_nothing_untitled_is_called_by_a_dish_most_of_whose_foods_it_has_not(pub
     assert public_plans(dish_type, "", *foods).goal.label == named
 
 
-def test_a_bloody_mary_has_tomatoes(public_plans):
+def test_nothing_without_tomatoes_is_a_bloody_mary(public_plans):
     green = ("kale:leaves", "apple:halved", "cucumber:whole veg", "celery:whole veg", "lemon:juice", "water:juice")
     assert public_plans("drinks", "", *green).goal.label != "bloody mary"

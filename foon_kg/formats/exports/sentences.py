@@ -176,6 +176,8 @@ class _Reading:
     def _bringing(self, target: ObjectNode) -> str:
         places = self._left_places(target)
         source = next(iter(places)) if len(places) == 1 else None
+        if (dipped := self._dipped(target)) and source is not None:
+            return f"{with_object(self._verb, the(dipped))} into {the(self._brought)} in the {source}{self._gives[1]}"
         if self._verb == "fill":
             said = f"fill the {target.label} with {the(self._brought)}"
         else:
@@ -204,16 +206,19 @@ class _Reading:
 
     def _smeared_over(self, target: ObjectNode) -> list[str]:
         """Return the foods over which what is brought is smeared; none where nothing is."""
-        there = next(iter(_called(target.label, self._utensils)), target)
-        if there is target or word_list("is smeared by").isdisjoint(self._verb.split()):
+        if word_list("is smeared by").isdisjoint(self._verb.split()) or not _called(target.label, self._utensils):
             return []
-        return [name for name in self._held_in(there) if name not in self._brought]
+        return self._held_besides(target)
 
     def _dipped(self, target: ObjectNode) -> list[str]:
         """Return what is dipped into what is brought to it: what the ``target`` holds or carries besides."""
         if word_list("is turned in by").isdisjoint(self._verb.split()):
             return []
-        there = next((node for node in self._utensils if node.label == target.label), target)
+        return self._held_besides(target)
+
+    def _held_besides(self, target: ObjectNode) -> list[str]:
+        """Return what a vessel held before, without what is brought to it."""
+        there = next(iter(_called(target.label, self._utensils)), target)
         return [name for name in self._held_in(there) if name not in self._brought]
 
     def _in_bath(self, names: list[str]) -> str:

@@ -53,7 +53,6 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
     beside = list(_beside(line))
     if not _has_enough_to_pour(parts, beside):
         return _at_once(line, place, _with_the_boiled(line, place, joins, beside), parts)
-    parts += [join for join in rest if join.want.facts.is_a("water")]
     return _tossed(line, place, joins, parts, set(map(id, filter(_is_cold, beside))))
 
 

@@ -165,12 +165,13 @@ class Matcher:
         found: Place | None = None
         most = NATURAL - 1e-9
         needs = self._needs_of(food, layout.frame.dish_type)
+        usual = max((self.posts.likely(food.want, post, layout.frame.dish_type) for post in layout.posts), default=0.0)
         for place in layout.places:
             fit = self._fit(food, place, needs)
             if fit <= most or (place.slot.kind == "water" and not food.runs):
                 continue  # nor does a solid take the place of the water in which a dish is cooked
             if NATURAL <= fit < _SURELY and place.slot.kind != food.want.facts.kind:
-                fit *= self._as_usual(layout, food, place)
+                fit *= self._as_usual(layout, food, place, usual)
             if fit > most:
                 found, most = place, fit
         return None if found is None else Join(food.want, found.spot, most, found.slot)
@@ -184,16 +185,15 @@ class Matcher:
             return _SAME_ROLE
         return fit
 
-    def _as_usual(self, layout: Layout, food: Joiner, place: Place) -> float:
+    def _as_usual(self, layout: Layout, food: Joiner, place: Place, usual: float) -> float:
         """Return what a slot of a like food is worth: 1 where foods of this one's own kind join there, too.
 
-        A like food may join elsewhere than foods of this one's kind do: chives late, onions early.
+        A like food may join elsewhere than foods of this one's kind do: chives late, onions early. ``usual`` is how
+        often they join where they do most.
         """
         if food.main and place.main and place.spot is layout.bound:
             return 1.0  # patties are made of whatever they are made of
-        want, dish_type = food.want, layout.frame.dish_type
-        usual = max(self.posts.likely(want, post, dish_type) for post in layout.posts)
-        ratio = self.posts.likely(want, place.spot.post, dish_type) / usual if usual else 1.0
+        ratio = self.posts.likely(food.want, place.spot.post, layout.frame.dish_type) / usual if usual else 1.0
         return 0.6 + 0.4 * ratio if ratio >= _AS_USUAL else 0.0
 
     def _usual(self, layout: Layout, food: Joiner) -> Join:
