@@ -65,3 +65,9 @@ def test_nothing_untitled_is_called_by_a_dish_most_of_whose_foods_it_has_not(pub
 def test_nothing_without_tomatoes_is_a_bloody_mary(public_plans):
     green = ("kale:leaves", "apple:halved", "cucumber:whole veg", "celery:whole veg", "lemon:juice", "water:juice")
     assert public_plans("drinks", "", *green).goal.label != "bloody mary"
+
+
+def test_bread_of_a_salad_that_no_fat_is_listed_beside_is_toasted_dry(steps):
+    told = steps("salad", "", "lettuce:whole leafy", "oil:liquid", "mustard:creamy", "bread:sliced")
+    assert inside(told, "bake") == {"bread"}
+    assert "bread" not in inside(told, "mix")

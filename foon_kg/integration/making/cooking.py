@@ -1,7 +1,7 @@
 """Making a dish after a frame: foods are prepared, brought together stage by stage, and heated block by block.
 
-The phases are always the same (docs/explanation/architecture.md): everything is cut and opened first; what has to be cooked by itself
-is cooked; then the lines of the frame are carried out, each heat block uninterrupted; at the end everything is off.
+The phases are always the same: everything is cut and opened first; what has to be cooked by itself is cooked; then the
+lines of the frame are carried out, each heat block uninterrupted; at the end everything is off.
 """
 
 from __future__ import annotations
