@@ -6,12 +6,11 @@ demo is planned for it. No answer becomes another by what is kept of that.
 
 from __future__ import annotations
 
-from contextlib import suppress
+from contextlib import closing, suppress
 from itertools import islice
 
 from foon_kg.demo import demo_folder
 from foon_kg.foon import Foon
-from foon_kg.model.errors import FoonError
 from foon_kg.planning.processes import keep_for_good
 from foon_kg.web.foon import Served
 from foon_kg.web.planning import PlanningDesk
@@ -20,13 +19,16 @@ _DISHES = 8
 
 
 def _plan_some() -> None:
-    with suppress(FoonError), Foon.from_files(demo_folder()) as foon:  # what is wrong is told where it is needed
-        desk = PlanningDesk(Served("demo", foon.snapshot()))
+    with (
+        Foon.from_files(demo_folder()) as foon,
+        closing(PlanningDesk(Served("demo", foon.snapshot()))) as desk,
+    ):
         desk.get_ready()
         for _ in islice(desk.practise(), _DISHES):
             pass
-        desk.close()
 
 
-_plan_some()
+# Whatever is wrong is told where it is needed. Here it would end the process of which all that plan are copies.
+with suppress(Exception):
+    _plan_some()
 keep_for_good()

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
+import multiprocessing
+import os
 import signal
 import subprocess
 import sys
@@ -14,6 +17,61 @@ from web.serving import SALAD
 from foon_kg.demo import demo_folder
 
 PROGRAM = "import sys; from foon_kg.cli import main; sys.exit(main())"
+FORKS = "forkserver" in multiprocessing.get_all_start_methods()
+
+
+BREAKS = """
+import pathlib, sys
+from foon_kg import demo
+
+def broken():
+    pathlib.Path(__file__).with_name("it broke").touch()
+    raise RuntimeError("nothing to warm up with")
+
+if any("forkserver" in word for word in sys.orig_argv):
+    demo.demo_folder = broken
+"""
+
+
+@contextlib.contextmanager
+def served(**environment):
+    """A process that serves the demo with two that plan, and its address; whatever becomes of it, it is ended."""
+    arguments = ["serve", "--files", str(demo_folder()), "--port", "0", "--jobs", "2"]
+    serving = subprocess.Popen(
+        [sys.executable, "-c", PROGRAM, *arguments], stderr=subprocess.PIPE, text=True, env=os.environ | environment
+    )
+    try:
+        yield serving, serving.stderr.readline().strip()
+    finally:
+        serving.kill()
+        serving.wait(60)
+        serving.stderr.close()
+
+
+def planned(address):
+    """Return the status of a plan."""
+    return httpx.post(f"{address}api/plan", json=SALAD, timeout=120).status_code
+
+
+@pytest.mark.slow
+def test_its_processes_end_when_it_is_killed():
+    with served() as (serving, address):
+        assert planned(address) == 200
+        processes = psutil.Process(serving.pid).children(recursive=True)
+        assert any("forkserver" in " ".join(one.cmdline()) for one in processes) == FORKS
+        serving.kill()
+        gone, alive = psutil.wait_procs(processes, timeout=60)
+        assert gone
+        assert not alive
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not FORKS, reason="no process is warmed up here")
+def test_a_warm_up_that_breaks_leaves_it_planning(tmp_path):
+    (tmp_path / "sitecustomize.py").write_text(BREAKS, encoding="utf-8")
+    with served(PYTHONPATH=str(tmp_path)) as (_, address):
+        assert planned(address) == 200
+    assert (tmp_path / "it broke").exists()
 
 
 @pytest.mark.slow
