@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import threading
 from collections.abc import Iterator
+from functools import cache
 from multiprocessing import get_all_start_methods, get_context
 from multiprocessing.connection import Connection
 from typing import TYPE_CHECKING, Any
@@ -24,6 +26,9 @@ _ENDING = 5.0
 
 _IDLE = 0.5
 """Seconds without a question after which a process practises: a dish takes it some 20 ms, which a question may wait."""
+
+_TABLES = ("FOON_KG_ALIASES", "FOON_KG_FOODS", "FOON_KG_STATES", "FOON_KG_UTENSILS")
+"""Name tables of a user's own, on which answers depend."""
 
 
 class PlanningProcess:
@@ -97,12 +102,24 @@ class PlanningProcess:
 
 
 def _beginning() -> ForkServerContext | SpawnContext:
-    """Return how a process begins: where it can be, as a copy of one that has made ready what no FOON changes."""
-    if "forkserver" not in get_all_start_methods():
+    """Return how a process begins: where it can be, as a copy of one that has made ready what no FOON changes.
+
+    That one sees the environment as it was when the first process began. Where another table of a user's own is named
+    since, a process begins by itself: much of what was made ready may follow from the tables.
+    """
+    if "forkserver" not in get_all_start_methods() or _own_tables() != _first_own_tables():
         return get_context("spawn")
     context = get_context("forkserver")
     context.set_forkserver_preload(["foon_kg.web.warm"])
     return context
+
+
+def _own_tables() -> tuple[str, ...]:
+    """Return where the environment says that a user's own tables are."""
+    return tuple(os.environ.get(name, "") for name in _TABLES)
+
+
+_first_own_tables = cache(_own_tables)
 
 
 def _plan(line: Connection[Any, Any], served: Served) -> None:

@@ -173,6 +173,21 @@ def test_the_processes_of_all_editions_are_copies_of_one():
     assert os.getpid() not in parents
 
 
+@pytest.mark.slow
+def test_a_table_that_the_environment_names_later_is_one_of_new_processes(tmp_path, monkeypatch):
+    own = tmp_path / "own.toml"
+    own.write_text('[kinds.cheese]\nwords = ["grevé"]\n', encoding="utf-8")
+    named = []
+    for path in ("", str(own), ""):
+        monkeypatch.setenv("FOON_KG_FOODS", path)
+        with FoonService(FixedFoon(demo_foon()), processes=1, seconds=120) as service:
+            assert service.answer(ONIONS).status in {200, 404}
+            planning = psutil.Process(desk_of(service)._process.pid)
+            named.append((planning.environ().get("FOON_KG_FOODS", ""), planning.ppid() == os.getpid()))
+    assert named[1] == (str(own), True)
+    assert named[0] == named[2]
+
+
 def test_many_threads_get_the_same_answers():
     questions = [PlanQuestion("salad", (f"{state} onion",)) for state in ("chopped", "sliced", "diced")] * 4
     with FoonService(FixedFoon(demo_foon())) as service, ThreadPoolExecutor(8) as pool:
