@@ -73,6 +73,7 @@ def explanations(attempt: Attempt, likes: RecipeLikes) -> tuple[Explanation, ...
 
 
 def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
+    """Return why the food that comes in by ``join`` is made as the tree of ``attempt`` makes it."""
     want = join.want
     asked = RequiredIngredient(want.label, want.asked)
     ready = attempt.cooking.ready.get(want.number)
@@ -80,30 +81,31 @@ def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
         return Explanation(asked, "missing")
     number = ready.stuff.number
     own = [(place, unit) for place, unit in enumerate(attempt.result.units, 1) if _has(unit, number)]
-    prepared = [unit for _, unit in own if unit.phase == "prepare"]
-    how = _how(ready.assumptions, join, prepared)
+    how = _how(ready.assumptions, join, [unit for _, unit in own])
     like, sure = _handled_like(attempt, want.label)
     chosen = bool(like) and singular(want.label) in likes.instead
     renamed = _renamed(attempt, want)
-    step, motion = _joining(own, number)
-    joining = Joining(step, motion, join.slot.food if join.slot else "", round(join.fit, 4) if join.slot else 0.0)
-    others = tuple(
-        PassedOver(name, "", round(confidence, 4), "you chose another" if chosen else "less sure")
-        for name, confidence in (likes.others(want.label, like) if like else ())
-    )
+    others = likes.others(want.label, like) if like else ()
+    why = "you chose another" if chosen else "less sure"
     return Explanation(
         asked, how, like or want.label, sure, chosen, renamed,
-        tuple(_videos(unit for _, unit in own)), joining, others[:MOST_OTHERS],
+        tuple(_videos(unit for _, unit in own)), _joining(own, number, join), tuple(_passed_over(others, why)),
     )  # fmt: skip
 
 
-def _how(assumptions: Sequence[object], join: Join, prepared: Sequence[TreeUnit]) -> How:
+def _passed_over(others: Sequence[tuple[str, float]], why: str) -> Iterator[PassedOver]:
+    """Yield the first of ``others``, known foods with how sure each is, as passed over for the reason ``why``."""
+    for name, confidence in others[:MOST_OTHERS]:
+        yield PassedOver(name, "", round(confidence, 4), why)
+
+
+def _how(assumptions: Sequence[object], join: Join, own: Sequence[TreeUnit]) -> How:
     """Return how a food comes to what it is: assumed, as a video plays it, made in steps of its own, or as sold."""
     if assumptions:
         return "assumed"
     if join.slot:
         return "played"
-    return "made" if prepared else "sold"
+    return "made" if any(unit.phase == "prepare" for unit in own) else "sold"
 
 
 def _renamed(attempt: Attempt, want: Want) -> tuple[tuple[str, str], ...]:
@@ -126,7 +128,15 @@ def _has(unit: TreeUnit, number: int) -> bool:
     return any(one.thing == number for one in (*unit.taken, *unit.made))
 
 
-def _joining(own: Sequence[tuple[int, TreeUnit]], number: int) -> tuple[int | None, str]:
+def _joining(own: Sequence[tuple[int, TreeUnit]], number: int, join: Join) -> Joining:
+    """Return where the thing of this ``number``, which comes in by ``join``, joins others among its ``own`` steps."""
+    step, motion = _first_shared(own, number)
+    if join.slot is None:
+        return Joining(step, motion)
+    return Joining(step, motion, join.slot.food, round(join.fit, 4))
+
+
+def _first_shared(own: Sequence[tuple[int, TreeUnit]], number: int) -> tuple[int | None, str]:
     """Return the first step after which a food shares its vessel with others."""
     for place, unit in own:
         inside = {one.container_thing for one in unit.made if one.thing == number} - {None}

@@ -150,16 +150,22 @@ class ThingReader:
         return folded if row is None else row.written
 
     def _unknown(self, thing: ObjectNode, kind: str) -> Iterator[str]:
-        if self.words.kitchen.is_utensil(thing.label) or (kind != "utensils" and canonical(thing.label) in self._foods):
+        """Yield the note that the FOON does not know ``thing``, if so; ``kind`` says under which heading it stands."""
+        may_be_food = kind != "utensils"
+        if self.words.kitchen.is_utensil(thing.label) or (may_be_food and canonical(thing.label) in self._foods):
             return
-        what = "utensil" if kind == "utensils" else "food"
-        utensils = {row.written for row in tables().utensils.values()}
-        known = sorted(utensils | (set() if kind == "utensils" else self._labels))
-        near = difflib.get_close_matches(thing.label.lower(), known, n=_CLOSE, cutoff=_SPELLED_ALIKE)
-        if not near and kind != "utensils":
-            alike = food_similarity().nearest(thing.label, sorted(self._labels), limit=_CLOSE)
-            near = [found.name for found in alike if found.confidence >= _ALIKE]
+        what = "food" if may_be_food else "utensil"
+        near = self._near(thing.label, self._labels if may_be_food else frozenset())
         yield f"this FOON knows no {what} “{thing.label}”{_listed(near)}; it counts as a {what} at hand"
+
+    def _near(self, name: str, foods: frozenset[str]) -> list[str]:
+        """Return the utensils and ``foods`` that are spelled like ``name``, else the foods that are like it."""
+        known = sorted({row.written for row in tables().utensils.values()} | foods)
+        spelled = difflib.get_close_matches(name.lower(), known, n=_CLOSE, cutoff=_SPELLED_ALIKE)
+        if spelled or not foods:
+            return spelled
+        alike = food_similarity().nearest(name, sorted(foods), limit=_CLOSE)
+        return [found.name for found in alike if found.confidence >= _ALIKE]
 
     @cached_property
     def _labels(self) -> frozenset[str]:

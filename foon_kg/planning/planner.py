@@ -23,7 +23,7 @@ from foon_kg.goals.choice import Fit, fits, refusals, shortlisted
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.composing.apart import apart
 from foon_kg.integration.composing.called import Called, arranged
-from foon_kg.integration.composing.parts import parts_of
+from foon_kg.integration.composing.parts import Part, parts_of
 from foon_kg.integration.composing.warmed import can_be_blended, can_be_warmed
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.joining.course import Plan
@@ -32,7 +32,7 @@ from foon_kg.integration.joining.places import Matcher
 from foon_kg.integration.making.cooking import Cooking
 from foon_kg.integration.methods import Methods, TeachingView
 from foon_kg.integration.preparing.entitled import as_in_a_dish
-from foon_kg.integration.preparing.preparation import as_there
+from foon_kg.integration.preparing.preparation import Want, as_there
 from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.unheeded import with_unheeded
 from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
@@ -190,13 +190,18 @@ class _Question:
         made = apart(self.wants, recipe, whole.dishes, taught, self.known, baked=whole.baked)
         foods, own, self.sides, self.technique = made
         self.asks = named_by(title, recipe.dish_type, [(want.label, want.facts) for want in self.wants])
-        strewn = any(side.component.at == "before" for side in self.sides)  # then nothing else is strewn on it
-        twice = _named_twice(asked) - {singular(want.label) for side in self.sides for want in side.wants}
-        self.baked, self.parts = parts_of(own, recipe.dish_type, title, twice, self.known, strewn=strewn)
-        if self.technique is not None:  # it says itself what is put on what
-            self.baked, self.parts = own, ()
+        self.baked, self.parts = self._parted(own, _named_twice(asked))
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(foods)
         self.matcher = Matcher(self.methods.posts, self.likes.in_slot, foods, self.teaching.joiners)
+
+    def _parted(self, own: tuple[Want, ...], twice: Collection[str]) -> tuple[tuple[Want, ...], tuple[Part, ...]]:
+        """Return the ``own`` foods of the dish itself, and what is put on it; ``twice`` are foods named repeatedly."""
+        if self.technique is not None:  # it says itself what is put on what
+            return own, ()
+        strewn = any(side.component.at == "before" for side in self.sides)  # then nothing else is strewn on it
+        beside = {singular(want.label) for side in self.sides for want in side.wants}
+        title = self.recipe.title or ""
+        return parts_of(own, self.recipe.dish_type, title, {*twice} - beside, self.known, strewn=strewn)
 
     @cached_property
     def best(self) -> Attempt:

@@ -5,15 +5,14 @@ Nothing is decided silently: whatever was understood in one of several ways come
 
 from __future__ import annotations
 
-import difflib
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, cached_property, lru_cache
-from itertools import chain
+from functools import cached_property
+from itertools import chain, takewhile
 from pathlib import Path
 
-from foon_kg.food import singular, tables
+from foon_kg.food import tables
 from foon_kg.food.called import dish_type_called
 from foon_kg.food.lists import word_list
 from foon_kg.food.told_states import asked_state, in_turn
@@ -26,9 +25,6 @@ from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.model.regular_files import read_text
 from foon_kg.plans.kitchen import Kitchen
-
-_CLOSE = 0.74
-"""How alike two words are, by the letters that they share in order, that may be the same word misspelled."""
 
 NO_FOOD, NO_STATE = "no food is called", "no state is called"
 """How notes begin that say that something asked is not known."""
@@ -107,28 +103,39 @@ class IngredientWords:
     def _chosen(
         self, text: str, food: str, states: Sequence[str], rest: Sequence[str]
     ) -> tuple[RequiredIngredient, tuple[str, ...]]:
-        processed = [state for state in states if not self.kitchen.is_start_state(food, state)]
+        """Return what ``text`` asks of ``food``, of whose ``states`` one counts, and the notes on it.
+
+        ``rest`` are the words that are neither: how much it is, and states that nobody knows.
+        """
         amount = _counting(rest)
-        said = " ".join(rest[amount:]) or tables().foods.as_measured(food, (word.lower() for word in rest[:amount]))
-        state = asked_state(processed or list(states) or [said], tables())
-        wanted, notes = self.with_state(RequiredIngredient(food, state, _amount(rest[:amount])))
-        unsaid = (*states, *rest[amount:])
-        said_of = {*wanted.state.split(), *in_turn(wanted.state)}
-        left_out = [other for other in unsaid if other not in said_of and other != wanted.state]
-        if left_out:
-            notes = (*notes, f"“{text}” is read as {food}, {wanted.state}: “{' '.join(left_out)}” is left out")
-        said = " ".join(text.replace(",", " ").lower().split())
-        meant = None if canonical(food) in self._labels else self.meant(said)
-        if meant is None:  # an amount is no word of any food
-            said, meant = food.lower(), self.meant(food)
+        measure, others = rest[:amount], rest[amount:]
+        processed = [state for state in states if not self.kitchen.is_start_state(food, state)]
+        unknown = " ".join(others) or tables().foods.as_measured(food, (word.lower() for word in measure))
+        state = asked_state(processed or list(states) or [unknown], tables())
+        wanted, notes = self.with_state(RequiredIngredient(food, state, _amount(measure)))
+        left_out = _left_out(text, wanted, (*states, *others))
+        return wanted, (*notes, *left_out, *self._doubts(text, wanted))
+
+    def _doubts(self, text: str, wanted: RequiredIngredient) -> Iterator[str]:
+        """Yield the note that ``text``, read as ``wanted``, may mean something else; at most one, first of the food."""
+        food = wanted.object
         if not self.knows(food):
+            _, meant = self._said_and_meant(text, food)
             asked = f": did you mean “{meant}”?" if meant else ", nor anything like it"
-            notes = (*notes, f"{NO_FOOD} “{food}”{asked}")
+            yield f"{NO_FOOD} “{food}”{asked}"
         elif strange := self._strange(wanted.state):
-            notes = (*notes, f"{NO_STATE} “{wanted.state}”: did you mean “{strange}”?")
-        elif canonical(food) not in self._labels and meant is not None and meant != said:
-            notes = (*notes, f"“{text}” is taken at its word; if you mean “{meant}”, write that")
-        return wanted, notes
+            yield f"{NO_STATE} “{wanted.state}”: did you mean “{strange}”?"
+        elif canonical(food) not in self._labels:
+            said, meant = self._said_and_meant(text, food)
+            if meant is not None and meant != said:
+                yield f"“{text}” is taken at its word; if you mean “{meant}”, write that"
+
+    def _said_and_meant(self, text: str, food: str) -> tuple[str, str | None]:
+        """Return the words of ``text`` and those that they may mean; of ``food`` alone where the text means nothing."""
+        said = " ".join(text.replace(",", " ").lower().split())
+        meant = as_spelled(said)
+        # an amount is no word of any food, so that a text with one means nothing
+        return (food.lower(), as_spelled(food)) if meant is None else (said, meant)
 
     def knows(self, food: str) -> bool:
         """Return whether the FOON or the tables of foods have a food of this name, or one of its words."""
@@ -143,12 +150,8 @@ class IngredientWords:
         known = tables().states
         if state.lower() in self.states or any(word in self.states or word in known for word in words):
             return ""
-        meant = self.meant(state) or state
+        meant = as_spelled(state) or state
         return meant if meant != state.lower() else ""
-
-    def meant(self, text: str) -> str | None:
-        """Return ``text`` with its words as they are spelled; ``None`` where one of them is like none that is known."""
-        return as_spelled(text)
 
     def _food_begins(self, words: Sequence[str]) -> int:
         """Return the place of the first word of the food."""
@@ -199,18 +202,30 @@ class IngredientWords:
         return {canonical(row.label): row.state for row in rows}
 
 
+def _left_out(text: str, wanted: RequiredIngredient, words: Iterable[str]) -> Iterator[str]:
+    """Yield the note on those of ``words`` that are not in the state of what ``text`` is read as, where there are."""
+    said = {wanted.state, *wanted.state.split(), *in_turn(wanted.state)}
+    left_out = [word for word in words if word not in said]
+    if left_out:
+        yield f"“{text}” is read as {wanted.object}, {wanted.state}: “{' '.join(left_out)}” is left out"
+
+
 def _counting(words: Sequence[str]) -> int:
     """Return how many words in front say how much: two of “500 g potato”, three of “a pinch of salt”."""
     lower = [word.lower().rstrip(".") or word for word in words]
     begin = int(lower[:1] in (["a"], ["an"]))
     if not (lower and lower[0][0].isnumeric()) and lower[begin + 1 : begin + 2] != ["of"]:
         return 0
+    many = len(list(takewhile(_counts, lower[begin:])))
+    return begin + many if many else 0
+
+
+def _counts(word: str) -> bool:
+    """Return whether a ``word`` in lower case says how much: a number, a measure, or what stands between these."""
     from foon_kg.language.plain_lines import is_measure  # noqa: PLC0415 - few questions count anything
 
     measures = word_list("measures what is canned") | word_list("measures a food") | {"of", "to", "-"}
-    counts = [word[0].isnumeric() or word in measures or is_measure(word) for word in lower[begin:]]
-    many = counts.index(False) if False in counts else len(counts)
-    return many and begin + many
+    return word[0].isnumeric() or word in measures or is_measure(word)
 
 
 def _amount(words: Sequence[str]) -> str:
@@ -218,29 +233,11 @@ def _amount(words: Sequence[str]) -> str:
     return " ".join(words[:-1] if words and words[-1].lower() == "of" else words)
 
 
-@cache
-def _spelling() -> Mapping[str, str]:
-    """Return every word of the tables of foods and of states, in their order, with its letters in theirs."""
-    known = tables()
-    found = sorted({word for name in (*known.foods.kind_of, *known.states) for word in name.split()})
-    return {word: "".join(sorted(word)) for word in found}
-
-
-@lru_cache(maxsize=1 << 12)
-def _spelled(word: str) -> str | None:
-    """Return the known word that ``word`` is, or is likest to; ``None`` where none is like it."""
-    known = _spelling()
-    if word in known or singular(word) in known:
-        return word
-    letters = "".join(sorted(word))
-    swapped = next((one for one, own in known.items() if own == letters), None)
-    return swapped or next(iter(difflib.get_close_matches(word, known, n=1, cutoff=_CLOSE)), None)
-
-
 def as_spelled(text: str) -> str | None:
     """Return ``text`` with its words as they are spelled; ``None`` where one of them is like none that is known."""
-    found = [_spelled(word.lower()) for word in text.replace(",", " ").split()]
-    return " ".join(filter(None, found)) if all(found) else None
+    from foon_kg.planning.spelling import spelled  # noqa: PLC0415 - few questions have a word that nobody knows
+
+    return spelled(text)
 
 
 def names_in(texts: Iterable[str]) -> tuple[str, ...]:
@@ -260,11 +257,16 @@ def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords, titl
     """
     read = [words.read(text) for text in texts]
     if read and not any(words.knows(wanted.object) for wanted, _ in read):
-        notes = [note for _, said in read for note in said if note.startswith(NO_FOOD)]
-        told = " ".join(f"N{note[1:]}" + ("" if note.endswith("?") else ".") for note in notes)
+        told = _unknown_foods(note for _, notes in read for note in notes)
         raise UsageError(f"nothing is known of what is asked. {told}", hint="Check the spelling.", code="unknown-food")
     recipe = Recipe(dish_type, tuple(wanted for wanted, _ in read), title=title)
     return ReadRecipe(recipe, _gathered(read))
+
+
+def _unknown_foods(notes: Iterable[str]) -> str:
+    """Return those of ``notes`` that say that a food is not known, as sentences."""
+    unknown = (note for note in notes if note.startswith(NO_FOOD))
+    return " ".join(f"N{note[1:]}" + ("" if note.endswith("?") else ".") for note in unknown)
 
 
 def of_known_type(read: ReadRecipe) -> ReadRecipe:

@@ -19,7 +19,7 @@ from foon_kg.model.tree import leaves_of
 from foon_kg.planning.likes import FAIR
 from foon_kg.plans.kitchen import singular
 from foon_kg.plans.stock import StockedKitchen
-from foon_kg.search import SearchProblem, UnitIndex, retrieve
+from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
 from foon_kg.search.gaps import ABSENT, gap_cost, mixtures
 from foon_kg.similarity import Similarity, food_similarity
 
@@ -117,8 +117,7 @@ def suggest(
     goals = view.likely_goals(None, own.foods, MOST_CONSIDERED).goals
     named = {name for goal in goals for name in goal.ingredients}
     own = own.with_mixtures(named, view).knowing(named)
-    likely = sorted((goal for goal in goals if own.promise(goal)), key=lambda goal: _cheap_rank(goal, own))
-    likely = likely[: max(LEAST_PROVEN, 2 * most)]
+    likely = _most_likely(goals, own, max(LEAST_PROVEN, 2 * most))
     units = view.behind([goal.node for goal in likely])
     own = own.among(units, view)
     index = _index(units, own)
@@ -213,6 +212,10 @@ class Larder:
         """Whether ``node`` is at hand, by one's own foods."""
         return not self.lacking(node) and self.kitchen.has(self.mine(node))
 
+    def has_otherwise(self, node: ObjectNode) -> bool:
+        """Return whether all foods of ``node`` are at hand, and it is not there as it is asked."""
+        return not self.lacking(node) and self.kitchen.lacks(self.mine(node))
+
     def promise(self, goal: Goal) -> float:
         """Return how much of ``goal`` is there (0 to 1) by the names of its ingredients alone, mixtures apart."""
         names = [name for name in goal.ingredients if not (self.kitchen.is_utensil(name) or self.kitchen.is_free(name))]
@@ -232,6 +235,11 @@ class Larder:
             return name
         own = self.own_for(name)
         return name if own is None else own[0]
+
+
+def _most_likely(goals: Iterable[Goal], own: Larder, most: int) -> list[Goal]:
+    """Return the at most ``most`` of ``goals`` that, by the names in them, are best made of one's ``own`` foods."""
+    return sorted((goal for goal in goals if own.promise(goal)), key=lambda goal: _cheap_rank(goal, own))[:most]
 
 
 def _cheap_rank(goal: Goal, own: Larder) -> tuple[object, ...]:
@@ -262,16 +270,15 @@ def _proven(goal: Goal, index: UnitIndex, own: Larder, time_limit: float | None)
         tree = retrieve(SearchProblem(index, (goal.node,), wanted), time_limit=time_limit)
     except NoTreeError:
         return None
+    return _suggested(goal, tree, own)
+
+
+def _suggested(goal: Goal, tree: ReferenceTree, own: Larder) -> Suggestion:
+    """Return what the ``tree`` of ``goal`` takes of one's ``own`` foods, and what it lacks."""
     leaves = leaves_of(known.unit for known in tree.units)
     lacking = {name for node in leaves for name in own.lacking(node)}
     taken = own.taken({name for node in leaves for name in own.names_in(node)})
     used = {one.own for one in taken}
-    return Suggestion(
-        goal,
-        len(tree.units),
-        taken,
-        tuple(sorted(lacking)),
-        tuple(node for node in tree.gaps if not own.lacking(node) and own.kitchen.lacks(own.mine(node))),
-        tuple(food for food in own.foods if food not in used),
-        tree.exact,
-    )
+    unused = tuple(food for food in own.foods if food not in used)
+    assumed = tuple(filter(own.has_otherwise, tree.gaps))
+    return Suggestion(goal, len(tree.units), taken, tuple(sorted(lacking)), assumed, unused, tree.exact)

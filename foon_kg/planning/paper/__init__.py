@@ -12,10 +12,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from foon_kg.model import ObjectNode, Recipe
+from foon_kg.model import Goal, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.claims import Assumption
 from foon_kg.model.errors import NoTreeError, UsageError
-from foon_kg.model.knowledge import KnowledgeView
+from foon_kg.model.knowledge import KnowledgeView, Vocabulary
 from foon_kg.model.tree import TreeUnit, leaves_of
 from foon_kg.planning.paper.final import construct_final_task_tree, made_for
 from foon_kg.planning.paper.reference import MOST_PATHS, Knowledge, identify_goal_node, retrieve_reference_task_tree
@@ -42,13 +42,8 @@ def plan_by_the_paper(
         NoTreeError: FOON has no goal of that dish type (code ``no-goal``), no path makes it (``no-way``, or
             ``too-many`` where the bound was hit before one was found), or nothing of it is required (``left-out``).
     """
-    wants = tuple(dict.fromkeys(want for want in recipe.ingredients if want.object))
-    if not wants:
-        raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
-    goals, vocabulary = view.goals(recipe.dish_type or None), view.vocabulary()
-    if not goals:
-        hint = f"It has goals of these dish types: {', '.join(vocabulary.dish_types) or 'none'}."
-        raise NoTreeError(f"this FOON has no {recipe.dish_type or 'dish'}", hint=hint, code="no-goal")
+    wants, vocabulary = _wants_of(recipe), view.vocabulary()
+    goals = _goals_of(recipe, view, vocabulary)
     similarity = similarity or cosine_similarity()
     foods = [want.object for want in wants]
     goal = identify_goal_node(goals, foods, similarity)
@@ -69,6 +64,26 @@ def plan_by_the_paper(
         assumptions=tuple(_assumptions(leaves, final.units, knowledge.kitchen)),
         progress_lines=progress_lines(tree, final.goal, wants, knowledge.kitchen),
     )
+
+
+def _wants_of(recipe: Recipe) -> tuple[RequiredIngredient, ...]:
+    """Return what ``recipe`` asks for, each (object, state) once; raises UsageError where that is nothing."""
+    wants = tuple(dict.fromkeys(want for want in recipe.ingredients if want.object))
+    if not wants:
+        raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
+    return wants
+
+
+def _goals_of(recipe: Recipe, view: KnowledgeView, vocabulary: Vocabulary) -> Sequence[Goal]:
+    """Return the goals of the ``view`` of the dish type of ``recipe``; raises NoTreeError where there are none.
+
+    ``vocabulary`` says of which dish types there are goals instead.
+    """
+    goals = view.goals(recipe.dish_type or None)
+    if not goals:
+        hint = f"It has goals of these dish types: {', '.join(vocabulary.dish_types) or 'none'}."
+        raise NoTreeError(f"this FOON has no {recipe.dish_type or 'dish'}", hint=hint, code="no-goal")
+    return goals
 
 
 def _assumptions(leaves: Sequence[ObjectNode], units: Sequence[TreeUnit], kitchen: Kitchen) -> Iterator[Assumption]:

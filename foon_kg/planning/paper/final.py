@@ -116,7 +116,7 @@ def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood) -> 
         tree = retrieve(SearchProblem(knowledge.index, nodes), time_limit=None)
     except NoWayError:
         return FinalTree(bare)
-    motion = _usual_motion(want.state, knowledge.vocabulary) if food.state != want.state else None
+    motion = _motion_instead(want, food, knowledge.vocabulary)
     found, units = list(food.substitutions), list[TreeUnit]()
     for known in tree.units:
         unit = TreeUnit.of(known.unit, "foon", known.seen_in)
@@ -127,6 +127,11 @@ def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood) -> 
             found.append(_substitution("motion", want, motion, like))
         units.append(now if now == unit else replace(now, origin="adapted"))
     return FinalTree(_renamed(tree.goal, want, food), tuple(units), tuple(found))
+
+
+def _motion_instead(want: RequiredIngredient, food: MadeFood, vocabulary: Vocabulary) -> str | None:
+    """Return the usual motion to the state of ``want``; ``None`` where there is none or ``food`` is in that state."""
+    return None if food.state == want.state else _usual_motion(want.state, vocabulary)
 
 
 def _made_as(food: MadeFood, knowledge: Knowledge) -> tuple[ObjectNode, ...]:

@@ -78,20 +78,25 @@ def retrieve_reference_task_tree(
 
     Raises NoTreeError where none of the first ``most_paths`` combinations of producers is a tree.
     """
-    index, foods = knowledge.index, [_foods_of(known.unit, knowledge.kitchen) for known in knowledge.index.units]
+    paths = None
+    if goal in knowledge.index.number_of:
+        paths = enumerate_paths(_overlapping(knowledge, goal, required), limit=most_paths)
+    if paths is not None and paths.found:
+        return paths.first(1)[0]
+    if paths is None or paths.complete:
+        raise NoTreeError(f"nothing makes {goal} without it", code="no-way", hint="Ask for another dish type.")
+    raise NoTreeError(f"none of the first {most_paths} paths makes {goal}", code="too-many", hint="Look at more paths.")
+
+
+def _overlapping(knowledge: Knowledge, goal: ObjectNode, required: Sequence[str]) -> SearchProblem:
+    """Return the problem to make ``goal`` of the producers in ``knowledge`` that overlap what is ``required``."""
+    foods = [_foods_of(known.unit, knowledge.kitchen) for known in knowledge.index.units]
     names, asked = sorted(set[str]().union(*foods)), list(dict.fromkeys(required))
     alike = knowledge.similarity.matrix(asked, names) > SIMILAR
     pairs = dict(zip(names, alike.sum(axis=0).tolist(), strict=True))
     wanted = {name: int(alike[:, place].argmax()) for place, name in enumerate(names) if pairs[name]}
-    found = None
-    if goal in index.number_of:
-        overlaps = [sum(pairs[name] for name in some) for some in foods]
-        found = enumerate_paths(_pruned(SearchProblem(index, (goal,), wanted), overlaps), limit=most_paths)
-    if found is not None and found.found:
-        return found.first(1)[0]
-    if found is None or found.complete:
-        raise NoTreeError(f"nothing makes {goal} without it", code="no-way", hint="Ask for another dish type.")
-    raise NoTreeError(f"none of the first {most_paths} paths makes {goal}", code="too-many", hint="Look at more paths.")
+    overlaps = [sum(pairs[name] for name in some) for some in foods]
+    return _pruned(SearchProblem(knowledge.index, (goal,), wanted), overlaps)
 
 
 def _foods_of(unit: FunctionalUnit, kitchen: Kitchen) -> set[str]:
