@@ -79,20 +79,22 @@ def _near(name: str, among: Collection[str]) -> str:
 
 def unknown_targets(document: Toml, kinds: Collection[str], names: Collection[str]) -> Iterator[str]:
     """Return which kinds and names a well-formed table of foods uses that are not among ``kinds`` and ``names``."""
-    rows = [
-        (f"{section} “{name}”", row)
-        for section in ("kinds", "foods")
-        for name, row in document.get(section, {}).items()
-    ]
-    for where, row in rows:
-        wanted = (*row.get("of", []), *row.get("when", {}).values())
-        yield from (f"{where}: there is no kind “{kind}”{_near(kind, kinds)}" for kind in wanted if kind not in kinds)
+    for section in ("kinds", "foods"):
+        for name, row in document.get(section, {}).items():
+            yield from _unknown_kinds(f"{section} “{name}”", row, kinds)
     for name in document.get("foods", {}):
         if singular(name) not in names:
             yield f"foods “{name}”: no kind has it among its words"
     for name, row in document.get("homonyms", {}).items():
         lost = (food for food in row.values() if singular(food) not in names)
         yield from (f"homonyms “{name}”: there is no food “{food}”{_near(food, names)}" for food in lost)
+
+
+def _unknown_kinds(where: str, row: Mapping[str, Any], kinds: Collection[str]) -> Iterator[str]:
+    """Return which kinds the ``row`` at ``where`` names that are not among ``kinds``."""
+    for kind in (*row.get("of", []), *row.get("when", {}).values()):
+        if kind not in kinds:
+            yield f"{where}: there is no kind “{kind}”{_near(kind, kinds)}"
 
 
 def words_twice(document: Toml) -> Iterator[str]:

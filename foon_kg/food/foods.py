@@ -84,12 +84,11 @@ class FoodTable:
         main = main.removesuffix(" packed")
         if packed and name not in self.kind_of and self.find(main)[2] in {Match.NAME, Match.HEAD}:
             return replace(self._food(main, (*states, _PACKED)), name=name)  # tuna in water, peaches in syrup
-        meant = next((o for state, o in self.homonyms.get(name, ()) if any(_is_state(state, s) for s in states)), name)
-        kind, taken_for, match = self.find(meant)
+        kind, taken_for, match = self.find(self._meant(name, states))
         row = self.kinds.get(kind, UNKNOWN)
         special = self.exceptions.get(taken_for, {})
         when = {**row.when, **_texts(special.get("when"))}
-        moved = next((to for state, to in when.items() if any(_is_state(state, one) for one in states)), None)
+        moved = next((kind for state, kind in when.items() if _is_among(state, states)), None)
         if moved is not None:
             row, special = self.kinds.get(moved, UNKNOWN), {}
         traits = special.get("traits")
@@ -104,6 +103,10 @@ class FoodTable:
             match,
             taken_for,
         )
+
+    def _meant(self, name: str, states: Sequence[str]) -> str:
+        """Return which of the foods called ``name`` one in these ``states`` is."""
+        return next((other for state, other in self.homonyms.get(name, ()) if _is_among(state, states)), name)
 
     def _find(self, name: str) -> tuple[str, str, Match]:
         own = name.split()
@@ -150,6 +153,11 @@ def _plain(label: str) -> str:
 
 def _is_state(asked: str, state: str) -> bool:
     return asked == state.lower() or frozenset(asked.split()) <= plain_words(state)
+
+
+def _is_among(asked: str, states: Iterable[str]) -> bool:
+    """Return whether one of ``states`` is the state ``asked`` for, or has all its words."""
+    return any(_is_state(asked, state) for state in states)
 
 
 def _levels(owes: object) -> Mapping[str, Level]:

@@ -58,6 +58,10 @@ class Named:
         """Whether it is done to such a food."""
         return not self.of or any(foods.mean(label, facts, ()) for foods in self.of)
 
+    def is_ruled_out(self, foods: Collection[tuple[str, Food]], around: Around) -> bool:
+        """Return whether one of ``foods`` is there ``without`` which alone it is asked; ``around`` is the recipe."""
+        return any(some.mean(label, facts, (), around) for some in self.without for label, facts in foods)
+
 
 def named_by(title: str, dish_type: str, foods: Collection[tuple[str, Food]]) -> tuple[tuple[Named, str], ...]:
     """Return what a title asks for, each with the words that do; ``foods`` are those of the recipe with their names."""
@@ -66,9 +70,7 @@ def named_by(title: str, dish_type: str, foods: Collection[tuple[str, Food]]) ->
     found = []
     for one in _rows():
         said = one.said(told) if not one.types or dish_type in one.types else ""
-        if not said or not any(one.is_of(*food) for food in foods):
-            continue
-        if not any(some.mean(label, facts, (), around) for some in one.without for label, facts in foods):
+        if said and any(one.is_of(*food) for food in foods) and not one.is_ruled_out(foods, around):
             found.append((one, said))
     return tuple(found)
 

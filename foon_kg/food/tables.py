@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -137,11 +137,10 @@ class Tables:
 
     def _of_words(self, name: str) -> State:
         listed = [self.states[word] for word in sorted(plain_words(name)) if word in self.states]
-        finest = max((row.fine for row in listed if row.fine is not None), default=None)
         return State(
             name,
             frozenset().union(*(row.earns for row in listed)),
-            finest,
+            _finest(listed),
             sold=bool(listed) and all(row.sold for row in listed),
             undivided=any(row.undivided for row in listed),
             half=any(row.half for row in listed),
@@ -174,15 +173,23 @@ class Tables:
         for text in texts:
             # “tuna” in quotes is none, nor a sauce for steak, and what has no eggs is not called after them
             own = _without(words(_QUOTED.sub(" ", _FOR.split(text)[0] or text)))
-            for length in range(len(own), 0, -1):
-                for start in range(len(own) - length + 1):
-                    name = " ".join(own[start : start + length])
-                    if name in self.dishes and not any(name in other for other in found):
-                        modifies = not self.dishes[name].is_type and self._is_modifier(own, start + length, texts)
-                        modifies = modifies or not word_list("is not what it is called").isdisjoint(own[:start])
-                        found[name] = replace(self.dishes[name], needs=()) if modifies else self.dishes[name]
+            for start, end in _spans(len(own)):
+                name = " ".join(own[start:end])
+                if name in self.dishes and not any(name in other for other in found):
+                    found[name] = self._dish_called(name, own, start, texts)
         no = frozenset().union(*(dish.is_no for dish in found.values()))
         return tuple(dish for name, dish in found.items() if name not in no)
+
+    def _dish_called(self, name: str, own: Sequence[str], start: int, types: Collection[str]) -> Dish:
+        """Return the dish whose ``name`` begins at ``start`` in a title, without its needs where it is only a modifier.
+
+        ``types`` are the texts that may name the type.
+        """
+        dish = self.dishes[name]
+        is_other = not word_list("is not what it is called").isdisjoint(own[:start])
+        end = start + len(name.split())
+        only_modifies = is_other or (not dish.is_type and self._is_modifier(own, end, types))
+        return replace(dish, needs=()) if only_modifies else dish
 
     def _is_modifier(self, own: Sequence[str], end: int, types: Collection[str]) -> bool:
         """Whether the dish whose name ends at ``end`` in a title only says of what sort the dish is: taco meatballs.
@@ -191,6 +198,18 @@ class Tables:
         """
         last = max((at for at in range(end, len(own)) if own[at] in types and self.dishes[own[at]].is_type), default=-1)
         return last >= end and word_list("names another dish or food").isdisjoint(own[end:last])
+
+
+def _finest(states: Iterable[State]) -> int | None:
+    """Return how fine the finest of ``states`` is; ``None`` where none says it."""
+    return max((state.fine for state in states if state.fine is not None), default=None)
+
+
+def _spans(count: int) -> Iterator[tuple[int, int]]:
+    """Yield where each run of words begins and ends among ``count`` words, the longest runs first."""
+    for length in range(count, 0, -1):
+        for start in range(count - length + 1):
+            yield start, start + length
 
 
 def _without(own: tuple[str, ...]) -> tuple[str, ...]:

@@ -100,16 +100,20 @@ def _names(nodes: Iterable[ObjectNode], known: Tables) -> Iterator[UnknownWord]:
     looks: dict[str, str] = {}
     written: dict[str, str] = {}
     for node in nodes:
-        for name in (node.label, *node.ingredients, *([node.container] if node.container else [])):
+        for name in filter(None, (node.label, *node.ingredients, node.container)):
             written.setdefault(singular(name), name)
         if node.container:
             looks.setdefault(singular(node.container), "something is in it or on it")
-        odd = [state for state in node.states if state.lower() in word_list("states of utensils alone")]
-        if odd:
-            looks.setdefault(singular(node.label), f"it is {odd[0]}")
+        if odd := _odd_state(node):
+            looks.setdefault(singular(node.label), f"it is {odd}")
     for key, name in written.items():
         if key and known.utensil(key) is None and not known.foods.is_listed(key):
             yield _name(name, looks.get(key, ""), known)
+
+
+def _odd_state(node: ObjectNode) -> str:
+    """Return the first state of ``node`` that utensils alone are in, ``""`` where there is none."""
+    return next((state for state in node.states if state.lower() in word_list("states of utensils alone")), "")
 
 
 def _name(name: str, looks: str, known: Tables) -> UnknownWord:

@@ -94,13 +94,21 @@ class Asked:
         self.laid = any(dish.laid for dish in self.dishes)
         self.dressed = any(dish.dressed for dish in self.dishes)
         self.tin = any(dish.tin for dish in self.dishes)
-        self.flat = any(dish.is_no and not dish.baked and not dish.is_type for dish in self.dishes)
-        self.cold = not any(dish.heated for dish in self.of_type) and not self.grilled
         self.smooth = not _SMOOTH.isdisjoint((*self.type_words, *self.told))
         self.of_batter = self.tin and is_of_batter(self.wants)
         self.of_dough = self.tin and is_of_dough(self.wants)
         self._met: dict[str, bool] = {}
         self._is_there: dict[str, bool] = {}
+
+    @cached_property
+    def flat(self) -> bool:
+        """Whether it is called something that is not what its type is, and that is not baked."""
+        return any(dish.is_no and not dish.baked and not dish.is_type for dish in self.dishes)
+
+    @cached_property
+    def cold(self) -> bool:
+        """Whether neither its type nor a grill says that it is hot."""
+        return not self.grilled and not any(dish.heated for dish in self.of_type)
 
     @cached_property
     def foods(self) -> tuple[AskedFood, ...]:

@@ -11,7 +11,7 @@ from foon_kg.goals.asked import CARRIES, SEASONS
 from foon_kg.integration.joining.batters import is_thin
 from foon_kg.integration.joining.layouts import Layout
 from foon_kg.integration.joining.spots import Spot
-from foon_kg.integration.teaching.frames import Frame, Line
+from foon_kg.integration.teaching.frames import Frame, Line, Stage
 
 _MOST_KEPT = 2048
 """For how many dishes this is kept."""
@@ -190,13 +190,19 @@ class Recorded:
     @cached_property
     def heats_base_alone(self) -> bool:
         """Whether what a stacked dish is stacked on is heated before anything is laid on it."""
-        main = [spot for spot in self.layout.spots if not spot.side]
-        there: list[str] = []
-        lines = False
-        for spot in main:
-            there += [slot.food for slot in spot.stage.slots]
-            lines = lines or any(isinstance(add, Line) for add in spot.stage.adds)
-            only = [food for food in map(self.known.foods.food, there) if not food.is_a("fat")]
-            if only and not lines and not spot.stage.does.isdisjoint(_HOT):
-                return all(food.is_a(*word_list("carries what is stacked")) for food in only)
+        there: list[Food] = []
+        for spot in self.layout.spots:
+            if spot.side:
+                continue
+            if _adds_line(spot.stage):
+                return False  # more than the base is there by now
+            foods = (self.known.foods.food(slot.food) for slot in spot.stage.slots)
+            there += [food for food in foods if not food.is_a("fat")]
+            if there and not spot.stage.does.isdisjoint(_HOT):
+                return all(food.is_a(*word_list("carries what is stacked")) for food in there)
         return False
+
+
+def _adds_line(stage: Stage) -> bool:
+    """Return whether something that was made apart comes in at ``stage``."""
+    return any(isinstance(add, Line) for add in stage.adds)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from foon_kg.food.rows import Dish
-from foon_kg.goals.asked import Asked
+from foon_kg.goals.asked import Asked, AskedFood
 from foon_kg.goals.recorded import Recorded
 from foon_kg.integration.composing.poured_over import is_poured_over
 from foon_kg.integration.joining.spots import Join, Spot
@@ -14,21 +14,30 @@ from foon_kg.integration.joining.spots import Join, Spot
 def vetoes(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
     """Yield what a cook would never do with this recipe, and its foods would come to where they join like this."""
     yield from _against_heat(dish, joins, asked)
+    yield from _against_dressed(dish, joins, asked)
+    yield from _against_work(dish, joins, asked)
+    for food, join in zip(asked.foods, joins, strict=True):
+        if join.slot is None:
+            yield from _against_company(food, join, dish)
+
+
+def _against_dressed(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
+    """Yield that a dish only comes over another one, where several foods are asked that come under one."""
     if asked.dressed and dish.only_poured:
         solid = (join for join in joins if not is_poured_over(join.want, join.slot))
         if len(list(solid)) > 1:
             yield f"{dish.label} is only what comes over such a dish"
-    yield from _against_work(dish, joins, asked)
-    for food, join in zip(asked.foods, joins, strict=True):
-        if join.slot is not None:
-            continue
-        label, work = join.want.label, join.spot.post[0]
-        if food.runs and id(join.spot) in dish.layout.drained:
-            yield f"{label} would run off"
-        if work in {"knead", "shape"} and not food.worked_in:
-            yield f"{label} would be worked into it"
-        if work == "blend" and food.flesh:
-            yield f"{label} would be blended"
+
+
+def _against_company(food: AskedFood, join: Join, dish: Recorded) -> Iterator[str]:
+    """Yield what would go wrong with a ``food`` that has no place of its own in the dish, where it joins the others."""
+    label, work = join.want.label, join.spot.post[0]
+    if food.runs and id(join.spot) in dish.layout.drained:
+        yield f"{label} would run off"
+    if work in {"knead", "shape"} and not food.worked_in:
+        yield f"{label} would be worked into it"
+    if work == "blend" and food.flesh:
+        yield f"{label} would be blended"
 
 
 def _against_work(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
@@ -45,15 +54,19 @@ def _against_heat(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterat
         yield f"what it is laid on is heated by itself in {dish.label}"
     if dish.bakes and (asked.unbaked or asked.flat or asked.in_a_pan):
         yield f"it is not to be baked, and {dish.label} is"
-    if asked.unbaked:
-        return
-    for kind in asked.dishes:
-        if kind.laid:
-            yield from _unbaked_bases(joins, asked)
-        if kind.baked and not dish.bakes:
-            yield f"{kind.name} is baked, and {dish.label} is not"
-        if kind.heated:
-            yield from _not_hot(kind, dish, asked)
+    if not asked.unbaked:
+        for kind in asked.dishes:
+            yield from _too_cold(kind, dish, joins, asked)
+
+
+def _too_cold(kind: Dish, dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
+    """Yield what of the heat that a ``kind`` of dish asks for the recorded ``dish`` would not give."""
+    if kind.laid:
+        yield from _unbaked_bases(joins, asked)
+    if kind.baked and not dish.bakes:
+        yield f"{kind.name} is baked, and {dish.label} is not"
+    if kind.heated:
+        yield from _not_hot(kind, dish, asked)
 
 
 def _unbaked_bases(joins: Sequence[Join], asked: Asked) -> Iterator[str]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import functools
 import itertools
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple, Self
 
@@ -95,16 +95,20 @@ def lines_of_things(
     for food, number in foods:
         name, steps, now = singular(food.object), [], number
         for unit, taken_by, made_by in zip(units, inputs, outputs, strict=True):
-            taken = taken_by.get(now)
-            if taken is None:
-                continue
-            steps.append(ProgressStep(taken.states, taken.relation, taken.container, unit.motion, taken.label))
-            if now not in made_by:
-                holding = [thing for thing, node in made_by.items() if name in map(singular, node.ingredients)]
-                now = holding[-1] if holding else now
+            if (taken := taken_by.get(now)) is not None:
+                steps.append(ProgressStep(taken.states, taken.relation, taken.container, unit.motion, taken.label))
+                now = _taken_up_by(now, name, made_by)
         ends = outputs[-1].get(now) == goal
         found.append(ProgressLine(food.object, tuple(steps), goal.label if ends else None))
     return tuple(dict.fromkeys(found))
+
+
+def _taken_up_by(now: int, name: str, made_by: Mapping[int, ObjectNode]) -> int:
+    """Return the thing that the food ``name``, which was ``now``, is or is part of among what a unit makes."""
+    if now in made_by:
+        return now
+    holding = [thing for thing, node in made_by.items() if name in map(singular, node.ingredients)]
+    return holding[-1] if holding else now
 
 
 def _by_thing(mentions: Sequence[Mention]) -> dict[int, ObjectNode]:
@@ -142,17 +146,13 @@ class _Stages:
     def of(cls, units: Sequence[FunctionalUnit], goal: ObjectNode, kitchen: Kitchen) -> Self:
         made: dict[ObjectNode, int] = {}
         uses: dict[_Stage, list[int]] = {}
-        relations: dict[str, Counter[str]] = {}
         for place, unit in enumerate(units):
             for node in unit.input_nodes:
                 uses.setdefault(_Stage(made.get(node, _KITCHEN), node), []).append(place)
             for node in unit.output_nodes:
                 made[node] = place
                 uses[_Stage(place, node)] = []
-            for node in (*unit.input_nodes, *unit.output_nodes):
-                if node.container and node.relation and kitchen.is_food(node):
-                    relations.setdefault(node.container, Counter())[node.relation] += 1
-        usual = {container: max(sorted(words), key=words.__getitem__) for container, words in relations.items()}
+        usual = _usual_relations(units, kitchen)
         holding: dict[str, list[_Stage]] = {}
         for stage in uses:
             for name in _names_of(stage.node):
@@ -172,17 +172,31 @@ class _Stages:
         Last come inputs that no unit outputs, but that lie where an earlier unit put such a thing: tea that was poured
         into the blender and is taken from there without its state is the same tea.
         """
-        held = [stage for stage in self.holding.get(food, ()) if stage != self.goal]
-        begun = [s for s in held if s.made_by != _KITCHEN and food not in self.taken[s.made_by]]
-        kitchen = [stage for stage in held if stage.made_by == _KITCHEN]
-        again = [stage for stage in kitchen if self._was_put_there(stage)]
-        return [[stage for stage in kitchen if stage not in again], begun, again]
+        kitchen, begun, again = list[_Stage](), list[_Stage](), list[_Stage]()
+        for stage in self.holding.get(food, ()):
+            if stage == self.goal:
+                continue
+            if stage.made_by == _KITCHEN:
+                (again if self._was_put_there(stage) else kitchen).append(stage)
+            elif food not in self.taken[stage.made_by]:
+                begun.append(stage)
+        return [kitchen, begun, again]
 
     def _was_put_there(self, leaf: _Stage) -> bool:
         before = self.units[: self.uses[leaf][0]]
         outputs = (node for unit in before for node in unit.output_nodes)
         place = (leaf.node.label, leaf.node.container)
         return place[1] is not None and any((node.label, node.container) == place for node in outputs)
+
+
+def _usual_relations(units: Iterable[FunctionalUnit], kitchen: Kitchen) -> dict[str, str]:
+    """Return the word that most often stands between a food and each container in ``units``, ties by the alphabet."""
+    relations: dict[str, Counter[str]] = {}
+    for unit in units:
+        for node in (*unit.input_nodes, *unit.output_nodes):
+            if node.container and node.relation and kitchen.is_food(node):
+                relations.setdefault(node.container, Counter())[node.relation] += 1
+    return {container: max(sorted(words), key=words.__getitem__) for container, words in relations.items()}
 
 
 class _Cost(NamedTuple):

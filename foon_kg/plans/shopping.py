@@ -15,11 +15,12 @@ def shopping_list(leaves: Iterable[ObjectNode], kitchen: Kitchen) -> tuple[Objec
     board are one line; free foods (water) are not bought. A food that is only known to be in a packet or bottle is a
     line of its own.
     """
-    bought: dict[ObjectNode, None] = {}
+    foods: set[ObjectNode] = set()
+    inside: set[str] = set()
     for leaf in leaves:
-        if not kitchen.is_utensil(leaf.label):
-            bought[ObjectNode(leaf.label, leaf.states, leaf.ingredients)] = None
-    inside = (name for leaf in leaves if kitchen.is_utensil(leaf.label) for name in kitchen.foods_in(leaf))
-    named = {node.label for node in bought}
-    bought.update(dict.fromkeys(ObjectNode(name) for name in inside if name not in named))
-    return tuple(sorted((n for n in bought if not kitchen.is_free(n.label)), key=lambda node: node.sort_key))
+        if kitchen.is_utensil(leaf.label):
+            inside.update(kitchen.foods_in(leaf))
+        else:
+            foods.add(ObjectNode(leaf.label, leaf.states, leaf.ingredients))
+    foods.update(map(ObjectNode, inside - {food.label for food in foods}))
+    return tuple(sorted((food for food in foods if not kitchen.is_free(food.label)), key=lambda food: food.sort_key))

@@ -16,6 +16,9 @@ from foon_kg.food import motions, tables
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import TreeUnit
 
+_Thing = ObjectNode | int
+"""What tells a thing from others: its number, or in a tree without numbers its node."""
+
 
 def earlier_steps(units: Sequence[TreeUnit]) -> tuple[frozenset[int], ...]:
     """Return for every unit (in the order of execution) the places of the units that have to be done before it.
@@ -40,8 +43,8 @@ def earlier_steps(units: Sequence[TreeUnit]) -> tuple[frozenset[int], ...]:
 class _Things:
     """What the steps so far made, by the last one that did so, and which of them took it since."""
 
-    made_by: dict[ObjectNode | int, int] = field(default_factory=dict)
-    taken_by: defaultdict[ObjectNode | int, list[int]] = field(default_factory=lambda: defaultdict(list))
+    made_by: dict[_Thing, int] = field(default_factory=dict)
+    taken_by: defaultdict[_Thing, list[int]] = field(default_factory=lambda: defaultdict(list))
 
     def through(self, place: int, unit: TreeUnit) -> set[int]:
         """Return the steps for whose things the one at ``place`` waits, and let these be as ``unit`` leaves them."""
@@ -50,15 +53,18 @@ class _Things:
         put_out = {one.identity for one in unit.made}
         used_up = {thing for thing in taken if thing in self.made_by and thing not in put_out}
         waits = {self.made_by[thing] for thing in taken | made if thing in self.made_by}
-        for thing in made | used_up:  # whoever takes it before has to be through with it
-            waits.update(self.taken_by[thing])
+        waits.update(*(self.taken_by[thing] for thing in made | used_up))  # who takes it before has to be through
+        self._leave(place, taken, made, used_up)
+        return waits
+
+    def _leave(self, place: int, taken: set[_Thing], made: set[_Thing], used_up: set[_Thing]) -> None:
+        """Keep what the step at ``place`` has ``taken`` and ``made``, and what of the former it has ``used_up``."""
         for thing in taken:
             self.taken_by[thing].append(place)
         for thing in made:
             self.made_by[thing], self.taken_by[thing] = place, []
         for thing in used_up:
             self.made_by[thing] = place  # the next to take it comes after this one
-        return waits
 
 
 def _ready_for(place: int, units: Sequence[TreeUnit], before: Sequence[frozenset[int]]) -> frozenset[int]:

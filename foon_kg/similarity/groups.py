@@ -111,8 +111,7 @@ def food_groups() -> FoodGroups:
     listed = np.zeros((len(foods), len(lines)))
     for group, names in enumerate(members):
         listed[[places[name] for name in names], group] = 1.0
-    shelf_names = [heading.split(" / ")[0] for heading, _, _ in lines]
+    shelf_names, groups = zip(*(heading.split(" / ")[:2] for heading, _, _ in lines), strict=True)
     shelves = sorted(set(shelf_names))
     shelf_of = np.array([shelves.index(name) for name in shelf_names])
-    groups = tuple(heading.split(" / ")[1] for heading, _, _ in lines)
     return FoodGroups(groups, tuple(shelves), shelf_of, tuple(foods), listed, places)
