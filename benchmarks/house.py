@@ -310,10 +310,10 @@ LIMITS = r"^\s*_?MOST_[A-Z_]*\b.*="
 HELD: Mapping[str, int] = {
     "circles between modules": 0,
     "circles between rooms": 0,
-    f"files over {MOST_LINES} lines": 12,
-    f"functions more complex than {MOST_COMPLEX}": 392,
-    "functions more complex than 20": 39,
-    "the most complex": 45,
+    f"files over {MOST_LINES} lines": 0,
+    f"functions more complex than {MOST_COMPLEX}": 15,
+    "functions more complex than 20": 0,
+    "the most complex": 13,
     f"pairs of files that share {RUN} lines": 5,
 }
 """What may not get worse: the most of each figure. Whoever makes one better lowers it here."""

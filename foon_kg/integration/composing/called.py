@@ -125,21 +125,25 @@ def _drunk(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> 
 
 def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> Arranged:
     """Return how what is heated in one vessel is made: fried in turn, thickened, stewed or blended."""
-    told = called.told
     line, joins = unmixed(line, joins)
     joins = fat_in_the_heat(joins)
-    if not called.tin and word_list("is called battered").isdisjoint(told):
+    if not called.tin and word_list("is called battered").isdisjoint(called.told):
         line, joins = sauce_apart(line, joins)
-    boiled = not word_list("boils in the dish").isdisjoint(told)
-    title = words(called.title)
+    line, joins, one_pot = _stewed_or_smooth(line, joins, called, known)
+    if is_formed(called.dishes, joins):
+        line, joins = formed_within(line, joins, known)
+    return Arranged(line, tuple(joins), one_pot)
+
+
+def _stewed_or_smooth(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> Arranged:
+    """Return how what boils in the dish is done in it, be it blended then; as it is where nothing does."""
+    boiled, title = not word_list("boils in the dish").isdisjoint(called.told), words(called.title)
     bathed = is_eaten_with_its_bath(joins, title, called.dish_type)
     one_pot = boiled or bathed or is_soaked_up(joins, title) or is_stewed(called.title, called.dishes, joins, known)
     if boiled and not bathed:
-        line, joins = blended_when_done(line, joins, told)
+        line, joins = blended_when_done(line, joins, called.told)
     elif one_pot:
         line, joins = stewed(boiled_there(joins) if bathed else joins)
-    if is_formed(called.dishes, joins):
-        line, joins = formed_within(line, joins, known)
     return Arranged(line, tuple(joins), one_pot)
 
 
