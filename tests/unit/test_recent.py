@@ -26,7 +26,7 @@ def test_an_entry_that_is_written_anew_is_recent_and_takes_no_more_room():
 
 
 ROOT = Path(__file__).parents[2]
-OF_A_TABLE = {"ways", "word_list", "_said", "_word_lists_key", "named_query"}
+OF_A_TABLE = {"ways", "word_list", "_said", "_technique_at", "_word_lists_key", "named_query"}
 """Their argument names a table or a file of the program, of which there are so many; another name raises."""
 
 
