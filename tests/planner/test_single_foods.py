@@ -205,3 +205,15 @@ def test_shells_of_pasta_are_filled_with_a_spoon(steps):
     )
     (filled,) = [inputs for inputs, motion, _ in told if "filling" in inputs and motion.startswith("scoop")]
     assert {"spoon", "baking dish"} <= filled
+
+
+def test_flesh_that_is_asked_trimmed_is_so_as_it_is_sold_and_beans_are_trimmed_here(steps):
+    pork = steps("pork", "", "pork loin steak:trimmed", "oil:liquid", "salt:granulated")
+    assert motions_of(pork, "pork loin steak")[0] == "pick-and-place"
+    beans = steps("vegetables", "", "green bean:trimmed", "butter:unmelted")
+    assert motions_of(beans, "green bean")[0] == "cut off ends"
+
+
+def test_a_block_of_cheese_is_cut_before_it_is_blended(steps):
+    told = steps("sauce", "Basil Pesto", "pine nut:whole", "basil:leaf", "parmesan:block", "olive oil:liquid")
+    assert motions_of(told, "parmesan")[0] == "chop"

@@ -231,10 +231,11 @@ def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> boo
 
 def _is_known_to_be_made(want: Want, form: str, row: State) -> bool | None:
     """Whether a state can be given to a food by what is known of both; ``None`` where the FOON has to show it."""
-    if want.asked in word_list("is cut off at the ends") and want.facts.is_a("vegetable") and form == "whole":
+    trimmed = want.asked in word_list("is cut off at the ends")
+    if trimmed and want.facts.is_a("vegetable") and form == "whole":
         return True
-    if _is_too_small_to_be_cut(want, row):
-        return False
+    if (trimmed and want.facts.is_a(*word_list("is flesh"))) or _is_too_small_to_be_cut(want, row):
+        return False  # a butcher trims flesh: it has no ends that a cook cuts off
     if row.earns == RINSED:
         return form in {"whole", "pieces"} or CANNED in want.leaf
     return True if _melts(want) or _is_mashed_as_sold(want) else None
