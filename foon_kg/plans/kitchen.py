@@ -15,7 +15,7 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
-from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food import State, Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 
@@ -224,14 +224,18 @@ def _fold(name: str) -> str:
 
 @functools.lru_cache(maxsize=8)
 def _from_tables(known: Tables, free_foods: frozenset[str] | None) -> Kitchen:
-    sold_for = {name: row.sold_for for name, row in known.states.items() if row.sold_for}
     return Kitchen(
         utensils=frozenset(known.utensils),
         storage=frozenset(name for name, row in known.utensils.items() if row.keeps_food),
         start_states=frozenset(name for name, row in known.states.items() if row.sold),
-        sold_so={state: frozenset(map(singular, foods)) for state, foods in sold_for.items()},
+        sold_so=_sold_so(known.states),
         rest_states=known.utensil_states["rest"],
         running_states=known.utensil_states["on"] | known.utensil_states["hot"],
         always_on=frozenset(name for name, row in known.utensils.items() if row.always_on),
         free_foods=word_list("free foods") if free_foods is None else free_foods,
     )
+
+
+def _sold_so(states: Mapping[str, State]) -> dict[str, frozenset[str]]:
+    """Return the words of the foods that are sold in each state in which only some foods are."""
+    return {name: frozenset(map(singular, row.sold_for)) for name, row in states.items() if row.sold_for}

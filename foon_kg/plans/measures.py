@@ -7,7 +7,7 @@ Nothing is scaled: a recorded amount, a time or a heat stays what it was for the
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from foon_kg.food import singular
@@ -70,9 +70,7 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
     """
     said = _said_in(video, recorded)
     timed = [(unit, rest) for unit, measures in said if (rest := replace(measures, amounts=()))]
-    amounts = _amounts_by_food(measures for _, measures in said)
-    for food in {singular(one.food) for unit in units for one in unit.measures.asked}:
-        amounts.pop(food, None)
+    amounts = _amounts_by_food((measures for _, measures in said), apart_from=_foods_asked(units))
     there: set[ObjectNode] = set()
     told = []
     for unit in units:
@@ -91,11 +89,21 @@ def _said_in(video: str, recorded: Iterable[KnownUnit]) -> list[tuple[Functional
     return [(unit, measures) for _, unit, measures in said]
 
 
-def _amounts_by_food(measures: Iterable[Measures]) -> dict[str, list[str]]:
-    """Return how much is taken of each food (by its name in the singular), in the order in which it is said."""
+def _foods_asked(units: Iterable[TreeUnit]) -> set[str]:
+    """Return the foods (in the singular) of which somebody asked for an amount."""
+    return {singular(one.food) for unit in units for one in unit.measures.asked}
+
+
+def _amounts_by_food(measures: Iterable[Measures], apart_from: Collection[str]) -> dict[str, list[str]]:
+    """Return how much is taken of each food (by its name in the singular), in the order in which it is said.
+
+    Foods ``apart_from`` which this is told are left out.
+    """
     amounts: defaultdict[str, list[str]] = defaultdict(list)
     for text in (text for one in measures for text in one.amounts):
-        amounts[singular(amount_of(text)[1])].append(text)
+        food = singular(amount_of(text)[1])
+        if food not in apart_from:
+            amounts[food].append(text)
     return dict(amounts)
 
 
@@ -127,15 +135,11 @@ def with_asked(units: Sequence[TreeUnit], foods: Iterable[tuple[RequiredIngredie
     told: defaultdict[int, list[AskedAmount]] = defaultdict(list)
     first = _first_takings(units)
     numbered = list(foods)
-    asked = {number for _, number in numbered}
-    others = defaultdict(list)
-    for number, (food, _) in first.items():
-        if number not in asked:
-            others[food].append(number)
+    others = _others_by_food(first, {number for _, number in numbered})
     for wanted, number in numbered:
         if not wanted.amount or number not in first:
             continue
-        more = others[singular(wanted.object)]
+        more = others.get(singular(wanted.object), [])
         amount = f"part of {wanted.amount}" if more else wanted.amount
         for one in (number, *more):
             told[first[one][1]].append(AskedAmount(amount, wanted.object))
@@ -143,6 +147,15 @@ def with_asked(units: Sequence[TreeUnit], foods: Iterable[tuple[RequiredIngredie
         replace(unit, measures=replace(unit.measures, asked=tuple(told[place]))) if place in told else unit
         for place, unit in enumerate(units)
     )
+
+
+def _others_by_food(first: Mapping[int, tuple[str, int]], asked: Collection[int]) -> dict[str, list[int]]:
+    """Return the numbers of the things first taken (:func:`_first_takings`) that are not ``asked`` for, by name."""
+    others: defaultdict[str, list[int]] = defaultdict(list)
+    for number, (food, _) in first.items():
+        if number not in asked:
+            others[food].append(number)
+    return dict(others)
 
 
 def _first_takings(units: Sequence[TreeUnit]) -> dict[int, tuple[str, int]]:

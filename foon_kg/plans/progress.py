@@ -272,16 +272,26 @@ def _ways(
     """
     best: dict[tuple[_Followed, bool], _Way] = {}
     for now, following in reversed(followed.items()):
-        stage = now.stage
-        passes = state in stage.node.states and singular(stage.node.label) == food
+        passes = _is_food_in(state, now.stage.node, food)
         for wanted in (True, False):
-            later = (best.get((then, wanted and not passes)) for then in following)
+            still_wanted = wanted and not passes
+            later = (best.get((then, still_wanted)) for then in following)
             ways = [_with(now, way, stages, food, kitchen) for way in later if way is not None]
-            if stage == stages.goal and (passes or not wanted):
-                ways.append(_Way(_Cost(), (stage,)))
+            if now.stage == stages.goal and not still_wanted:
+                ways.append(_Way(_Cost(), (now.stage,)))
             if ways:
-                best[now, wanted] = ways[0] if len(ways) == 1 else min(ways, key=lambda way: way.rank)
+                best[now, wanted] = _best_of(ways)
     return best
+
+
+def _is_food_in(state: str, node: ObjectNode, food: str) -> bool:
+    """Whether ``node`` is the ``food`` itself (in the singular), in ``state``."""
+    return state in node.states and singular(node.label) == food
+
+
+def _best_of(ways: Sequence[_Way]) -> _Way:
+    # Most stages have one way on. A rank has a key of every node of its way: it is made only where two ways compete.
+    return ways[0] if len(ways) == 1 else min(ways, key=lambda way: way.rank)
 
 
 def _with(now: _Followed, way: _Way, stages: _Stages, food: str, kitchen: Kitchen) -> _Way:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Self
 
-from foon_kg.model import Annotation, ObjectNode, Recipe, Subgraph
+from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Recipe, Subgraph
 from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import Fields, JsonObject
@@ -137,15 +137,24 @@ class PlanResult:
 
     def to_subgraph(self) -> Subgraph:
         """Return the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
-        places = [place for place, unit in enumerate(self.units) if self.goal in unit.output_nodes]
-        units = [unit.as_unit() for unit in self.units]
-        for place in places[-1:]:  # a stove may be turned off after that
-            units[place] = self.units[place].as_unit(self.goal, self.recipe.dish_type)
-        sightings = (sighting for unit in self.units for sighting in unit.sightings)
-        sources = tuple(dict.fromkeys(sighting.source for sighting in sightings if sighting.source))
-        measured = (Annotation(unit, measures=one.measures) for unit, one in zip(units, self.units, strict=True))
+        marked = zip(self._units_with_goal(), self.units, strict=True)
+        measured = tuple(Annotation(unit, measures=told.measures) for unit, told in marked)
         name = self.recipe.id or self.recipe.title or self.recipe.dish_type
-        return Subgraph(name, tuple(measured), sources)
+        return Subgraph(name, measured, self._sources())
+
+    def _units_with_goal(self) -> list[FunctionalUnit]:
+        """Return the functional units, the goal marked where it is put out last."""
+        units = [unit.as_unit() for unit in self.units]
+        for place in reversed(range(len(units))):  # not always the last unit: a stove may be turned off after it
+            if self.goal in self.units[place].output_nodes:
+                units[place] = self.units[place].as_unit(self.goal, self.recipe.dish_type)
+                break
+        return units
+
+    def _sources(self) -> tuple[str, ...]:
+        """Return each source of the videos in which the units were seen, once."""
+        sources = (sighting.source for unit in self.units for sighting in unit.sightings)
+        return tuple(dict.fromkeys(source for source in sources if source))
 
 
 def error_to_json(error: FoonError) -> JsonObject:

@@ -8,6 +8,7 @@ steps earlier or later for as long as that helps. Whether the schedule is the sh
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -115,21 +116,25 @@ def schedule(
 
 def _bettered(order: list[int], work: _Work) -> list[int]:
     """Take single steps elsewhere in the order of precedence for as long as that makes the schedule shorter."""
-    length, tries = work.length(work.starts(order)), MOST_TRIES
+    length = work.length(work.starts(order))
     moves = [(step, to) for step in range(len(order)) for to in (0, *range(len(order)))]
-    better = True
-    while better and length > work.bound and tries > 0:
-        better = False
-        for step, to in moves:
-            if tries <= 0 or length <= work.bound:
-                break
-            tries -= 1
-            rest = [place for place in order if place != step]
-            other = [*rest[:to], step, *rest[to:]]
-            shorter = work.length_below(other, length)
-            if shorter is not None:
-                order, length, better = other, shorter, True
+    in_vain = 0  # moves tried on this order; once all of them were, more tries find nothing
+    for step, to in itertools.islice(itertools.cycle(moves), MOST_TRIES):
+        if length <= work.bound or in_vain == len(moves):
+            break
+        other = _moved(order, step, to)
+        shorter = work.length_below(other, length)
+        if shorter is None:
+            in_vain += 1
+        else:
+            order, length, in_vain = other, shorter, 0
     return order
+
+
+def _moved(order: Sequence[int], step: int, to: int) -> list[int]:
+    """Return ``order`` with ``step`` at the place ``to``."""
+    rest = [place for place in order if place != step]
+    return [*rest[:to], step, *rest[to:]]
 
 
 def _is_free(spans: Sequence[_Span], there: int, start: float, end: float) -> bool:
@@ -147,6 +152,18 @@ def _name(utensil: Mention) -> str:
     if thing is None:
         return node.label
     return f"{node.label} {thing}" + (f" {container}" if node.relation == "under" else "")
+
+
+def _used_by(unit: TreeUnit, kitchen: Kitchen) -> frozenset[str]:
+    """Return what a step has for itself while it lasts: its utensils, and hands unless it goes on by itself."""
+    utensils = frozenset(_name(one) for one in unit.taken if kitchen.is_utensil(one.node.label))
+    return utensils if unit.motion in WITHOUT_HANDS else utensils | {_HANDS}
+
+
+def _how_many(used: Sequence[frozenset[str]], leaves: Sequence[ObjectNode], hands: int) -> dict[str, int]:
+    """Return how many there are of each thing that steps use."""
+    have = Counter(node.label for node in set(leaves))
+    return {name: max(have[name], 1) for name in sorted(frozenset[str]().union(*used))} | {_HANDS: hands}
 
 
 @dataclass(frozen=True)
@@ -175,14 +192,9 @@ class _Work:
         before = earlier_steps(units)
         tails, behind = _tails(seconds, before), _behind(before)
         handless = [unit.motion in WITHOUT_HANDS for unit in units]
-        uses = [
-            frozenset(_name(one) for one in unit.taken if kitchen.is_utensil(one.node.label))
-            | (frozenset() if alone else {_HANDS})
-            for unit, alone in zip(units, handless, strict=True)
-        ]
-        have = Counter(node.label for node in set(leaves))
-        there = {name: max(have[name], 1) for name in sorted(frozenset[str]().union(*uses))} | {_HANDS: hands}
-        return cls(known, seconds, handless, before, tails, [len(steps) for steps in behind], uses, there)
+        followers = [len(steps) for steps in behind]
+        uses = [_used_by(unit, kitchen) for unit in units]
+        return cls(known, seconds, handless, before, tails, followers, uses, _how_many(uses, leaves, hands))
 
     def starts(self, order: Sequence[int]) -> dict[int, float]:
         """Return when each step begins when they are put in as ``order`` ranks those that are ready."""

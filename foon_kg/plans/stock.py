@@ -37,11 +37,10 @@ class StockedKitchen(Kitchen):
         known = {field.name: getattr(kitchen, field.name) for field in fields(Kitchen)}
         utensils = tuple(thing for thing in things if kitchen.is_utensil(thing.label))
         foods = tuple(thing for thing in things if not kitchen.is_utensil(thing.label))
-        places = tuple(ObjectNode(thing.container) for thing in things if thing.container)
         free = tuple(ObjectNode(name) for name in sorted(kitchen.free_foods))
         return cls(
             **known,
-            utensils_named=(*utensils, *places) if utensils else None,
+            utensils_named=(*utensils, *_places_of(things)) if utensils else None,
             foods_named=(*foods, *free) if foods else None,
         )
 
@@ -140,12 +139,10 @@ class StockedKitchen(Kitchen):
         foods = self.foods_in(node)
         if not all(self._has_inside(name, node.label) for name in foods):
             return False
-        if (foods and self.is_storage(node.label)) or self.utensils_named is None:
+        comes_with_food = bool(foods) and self.is_storage(node.label)
+        if self.utensils_named is None or comes_with_food or _folded(node.label) in ALWAYS_THERE:
             return True
-        return _folded(node.label) in ALWAYS_THERE or any(
-            not thing.states or all(_says(thing, state) or is_place(state) for state in node.states)
-            for thing in self._utensils_called(node.label)
-        )
+        return any(_stands_for(thing, node) for thing in self._utensils_called(node.label))
 
     def _has_inside(self, food: str, vessel: str) -> bool:
         return self.foods_named is None or any(_in_place(thing, vessel) for thing in self._foods_called(food))
@@ -177,6 +174,16 @@ class StockedKitchen(Kitchen):
 def _called(label: str, things: Collection[ObjectNode]) -> Iterator[ObjectNode]:
     name = singular(label)
     return (thing for thing in things if singular(thing.label) == name)
+
+
+def _places_of(things: Iterable[ObjectNode]) -> Iterator[ObjectNode]:
+    """Yield the places at which ``things`` were named: who names what is in the fridge has a fridge."""
+    return (ObjectNode(thing.container) for thing in things if thing.container)
+
+
+def _stands_for(thing: ObjectNode, utensil: ObjectNode) -> bool:
+    """Whether ``thing``, of the same name, was named in every state of ``utensil``, or in none and so for any."""
+    return not thing.states or all(_says(thing, state) or is_place(state) for state in utensil.states)
 
 
 def _says(thing: ObjectNode, state: str) -> bool:
