@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, RequiredIngredient, Subgraph
@@ -32,16 +32,30 @@ def left_out_video(subgraph: Subgraph, kitchen: Kitchen) -> LeftOutVideo | None:
     beefsteak is made of beefsteak). Each is asked in the state in which it first joins others (:func:`joining_state`);
     ``""`` where the video shows none.
     """
-    goals = [(node, dish) for node, dish in goals_of(subgraph, kitchen) if kitchen.foods_in(node)]
-    if not goals:
+    goal = _goal_of_most_foods(subgraph, kitchen)
+    if goal is None:
         return None
-    node, dish_type = min(goals, key=lambda goal: (-len(kitchen.foods_in(goal[0])), goal[0].sort_key, goal[1]))
+    node, dish_type = goal
     units = tuple(annotation.unit for annotation in subgraph.annotations)
-    own = [node.label] if kitchen.is_food(node) and not _maker(units, node.label, kitchen) else []
-    named = [name for food in kitchen.foods_in(node) for name in bought(units, food, kitchen)]
-    foods = {singular(name): name for name in (*own, *named)}
-    wants = tuple(joining_state(units, foods[food], node, kitchen) for food in sorted(foods))
+    foods = _foods_to_buy(units, node, kitchen)
+    wants = tuple(joining_state(units, name, node, kitchen) for name in foods)
     return LeftOutVideo(Recipe(dish_type, wants, subgraph.name), units)
+
+
+def _goal_of_most_foods(subgraph: Subgraph, kitchen: Kitchen) -> tuple[ObjectNode, str] | None:
+    """Return the (node, dish type) of the goal that is asked; ``None`` where no goal names a food."""
+    goals = [(node, dish) for node, dish in goals_of(subgraph, kitchen) if kitchen.foods_in(node)]
+    # They come sorted by content, and max returns the first of equals: that settles ties.
+    return max(goals, key=lambda goal: len(kitchen.foods_in(goal[0])), default=None)
+
+
+def _foods_to_buy(units: Sequence[FunctionalUnit], goal: ObjectNode, kitchen: Kitchen) -> list[str]:
+    """Return what a cook buys for the ``goal`` of the video's ``units``, each food once, sorted by name in singular."""
+    names = [name for food in kitchen.foods_in(goal) for name in bought(units, food, kitchen)]
+    if kitchen.is_food(goal) and _maker(units, goal.label, kitchen) is None:
+        names.insert(0, goal.label)
+    by_singular = {singular(name): name for name in names}
+    return [by_singular[food] for food in sorted(by_singular)]
 
 
 def bought(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> tuple[str, ...]:
@@ -91,27 +105,46 @@ def joining_state(units: Sequence[FunctionalUnit], name: str, goal: ObjectNode, 
     the goal is called after it); where none does, at the last that takes it. Of several states the one that it got last
     counts, somebody's work before how it is sold.
     """
-    food, got, joined = singular(name), dict[str, int](), None
+    taken = list(_taken_until_it_joins(units, singular(name), goal, kitchen))
+    if not taken:
+        return RequiredIngredient(name, "")
+    _, joined = taken[-1]
+    first_seen = _first_seen(taken)
+    worked = kitchen.processed_states(joined)
+    states = worked or tuple(state for state in joined.states if not is_place(state))
+    last_got = max(states, key=lambda state: (first_seen[state], state), default="")
+    return RequiredIngredient(joined.label, last_got)
+
+
+def _taken_until_it_joins(
+    units: Sequence[FunctionalUnit], food: str, goal: ObjectNode, kitchen: Kitchen
+) -> Iterator[tuple[int, ObjectNode]]:
+    """Yield the nodes of ``food`` (in singular) that ``units`` take, each with the place of its unit.
+
+    Ends after the unit in which it joins others on the way to the ``goal``.
+    """
     for place, unit in enumerate(units):
         taken = [node for node in unit.input_nodes if kitchen.is_food(node) and singular(node.label) == food]
-        if not taken:
-            continue
-        joined = taken[-1]
-        for node in taken:
-            got = dict.fromkeys(node.states, place) | got  # the first time counts
-        if any(_takes_up(node, food, goal, kitchen) for node in newly_made(unit)):
-            break
-    if joined is None:
-        return RequiredIngredient(name, "")
-    made = kitchen.processed_states(joined)
-    states = made or tuple(state for state in joined.states if not is_place(state))
-    return RequiredIngredient(joined.label, max(states, key=lambda state: (got[state], state), default=""))
+        yield from ((place, node) for node in taken)
+        if taken and any(_takes_up(node, food, goal, kitchen) for node in newly_made(unit)):
+            return
+
+
+def _first_seen(taken: Iterable[tuple[int, ObjectNode]]) -> dict[str, int]:
+    """Return the place of the unit that first takes the food in a state, for each state of the ``taken`` nodes."""
+    first: dict[str, int] = {}
+    for place, node in taken:
+        for state in node.states:
+            first.setdefault(state, place)
+    return first
 
 
 def _takes_up(node: ObjectNode, food: str, goal: ObjectNode, kitchen: Kitchen) -> bool:
+    """Whether the food (in singular) has joined others in ``node``, on the way to the ``goal``."""
     if node == goal:
         return True
     inside = {singular(name) for name in kitchen.foods_in(node)}
     if food == singular(goal.label):
+        # A beefsteak made of beefsteak: what takes it up may be called after it, and need not name it among its foods.
         return not inside <= {food}
     return food in inside and len(inside) > 1 and singular(node.label) != food

@@ -48,6 +48,11 @@ class ReadingTree:
         """Whether there is anything to read: a planner may have found no tree."""
         return self.plan is None or "error" not in self.plan
 
+    @property
+    def drawn_among(self) -> str:
+        """The group that it is drawn from: its dish type, or all recorded videos together (``RECORDED``)."""
+        return RECORDED if self.recorded else self.dish_type
+
     def tree(self, videos: VideoTrees) -> TaskTree:
         """Return the task tree; raises ReadError for a video that is not among ``videos``."""
         if self.plan is not None:
@@ -99,21 +104,26 @@ def draw(
     and seed give the same draw, in whatever order the trees are given. Raises ReadError where two trees have one name:
     the names say which trees were read before.
     """
-    there: dict[str, ReadingTree] = {}
-    for tree in (*planned, *(_of_video(name, videos[name]) for name in videos)):
-        if there.setdefault(tree.name, tree) is not tree:
-            raise ReadError(f"{tree.name}: two trees have this name", hint="Give the results of one run, each once.")
+    there = _by_name((*planned, *(_of_video(name, tree) for name, tree in videos.items())))
     names: defaultdict[str, list[str]] = defaultdict(list)
     for tree in there.values():
         if tree.has_steps and tree.name not in without:
-            names[RECORDED if tree.recorded else tree.dish_type].append(tree.name)
-    chosen = [
-        there[name]
-        for kind in sorted(names)
-        for name in drawn(names[kind], recorded if kind == RECORDED else each, seed, kind)
-    ]
+            names[tree.drawn_among].append(tree.name)
+    chosen: list[ReadingTree] = []
+    for group in sorted(names):
+        count = recorded if group == RECORDED else each
+        chosen.extend(there[name] for name in drawn(names[group], count, seed, group))
     random.Random(f"{seed} order").shuffle(chosen)  # noqa: S311 - an order, no secret
     return tuple(chosen)
+
+
+def _by_name(trees: Iterable[ReadingTree]) -> dict[str, ReadingTree]:
+    """Return the trees by their names; raises ReadError where two have one name."""
+    found: dict[str, ReadingTree] = {}
+    for tree in trees:
+        if found.setdefault(tree.name, tree) is not tree:
+            raise ReadError(f"{tree.name}: two trees have this name", hint="Give the results of one run, each once.")
+    return found
 
 
 def key_to_json(seed: int, trees: Sequence[ReadingTree]) -> JsonObject:

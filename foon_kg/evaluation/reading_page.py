@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from foon_kg.evaluation.reading import read_text
-from foon_kg.model import ObjectNode, Recipe
+from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.claims import Substitution
 from foon_kg.model.errors import ReadError
 from foon_kg.model.tree import TaskTree, TreeUnit
@@ -35,16 +35,16 @@ def page(words: str, trees: Sequence[TaskTree]) -> str:
 def _lines(tree: TaskTree) -> Iterator[str]:
     recipe = tree.recipe or Recipe("-", ())
     yield f"dish type: {recipe.dish_type}; title: {recipe.title or '-'}"
-    foods = (ObjectNode(wanted.object, (wanted.state,) if wanted.state else ()) for wanted in recipe.ingredients)
-    yield f"asked: {_list(map(str, foods))}"
+    yield f"asked: {_list(map(_asked, recipe.ingredients))}"
     for number, unit in enumerate(tree.units, start=1):
         yield f"{number}. {_step(unit)}"
-    handled = (
-        f"{one.object}: {one.required} handled like {one.equivalent or '?'} ({one.kind}, {_figure(one)})"
-        for one in tree.substitutions or ()
-    )
-    yield f"substitutions: {_list(handled)}"
+    yield f"substitutions: {_list(map(_handled, tree.substitutions or ()))}"
     yield f"assumptions: {_list(f'{assumed.node}: {assumed.why}' for assumed in tree.assumptions or ())}"
+
+
+def _asked(wanted: RequiredIngredient) -> str:
+    """Return the food that is wanted as the steps print it, so that a reader finds it there."""
+    return str(ObjectNode(wanted.object, (wanted.state,) if wanted.state else ()))
 
 
 def _step(unit: TreeUnit) -> str:
@@ -54,6 +54,10 @@ def _step(unit: TreeUnit) -> str:
 
 def _list(items: Iterable[str]) -> str:
     return "; ".join(items) or "none"
+
+
+def _handled(one: Substitution) -> str:
+    return f"{one.object}: {one.required} handled like {one.equivalent or '?'} ({one.kind}, {_figure(one)})"
 
 
 def _figure(one: Substitution) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -54,21 +54,32 @@ def read_sheet(path: Path, trees: int) -> Sheet:
     trees are missing.
     """
     found: dict[int, Verdict] = {}
-    for place, line in enumerate(read_text(path).split("\n"), start=1):
-        if line.strip() and not line.strip("-\r\t "):
-            break
-        if not line.strip() or (len(found) == trees and not _names_a_tree(line)):
+    for where, line in _lines_above_dashes(path):
+        words_behind_the_last_tree = len(found) == trees and not _names_a_tree(line)
+        if words_behind_the_last_tree:
             continue
-        number, verdict = _entry(line, f"{path}:{place}")
+        number, verdict = _entry(line, where)
         if not 1 <= number <= trees:
-            raise ReadError(f"{path}:{place}: there is no tree {number}", hint=f"The trees are 1 to {trees}.")
+            raise ReadError(f"{where}: there is no tree {number}", hint=f"The trees are 1 to {trees}.")
         if number in found:
-            raise ReadError(f"{path}:{place}: tree {number} is there twice", hint="Take one of the lines away.")
+            raise ReadError(f"{where}: tree {number} is there twice", hint="Take one of the lines away.")
         found[number] = verdict
-    missing = [str(number) for number in range(1, trees + 1) if number not in found]
+    numbers = range(1, trees + 1)
+    missing = [str(number) for number in numbers if number not in found]
     if missing:
         raise ReadError(f"{path}: nothing is said of trees {', '.join(missing)}", hint=_HINT)
-    return tuple(found[number] for number in range(1, trees + 1))
+    return tuple(found[number] for number in numbers)
+
+
+def _lines_above_dashes(path: Path) -> Iterator[tuple[str, str]]:
+    """Yield (file:line, text) of each line of the file that is not blank, up to a line of dashes."""
+    for place, line in enumerate(read_text(path).split("\n"), start=1):
+        is_blank = not line.strip()
+        is_dashes = not is_blank and not line.strip("-\r\t ")
+        if is_dashes:
+            return
+        if not is_blank:
+            yield f"{path}:{place}", line
 
 
 def _names_a_tree(line: str) -> bool:
@@ -81,10 +92,9 @@ def _columns(line: str) -> Sequence[str]:
 
 
 def _entry(line: str, where: str) -> tuple[int, Verdict]:
-    columns = _columns(line)
-    if len(columns) != _COLUMNS or not columns[0].isdecimal():
+    if not _names_a_tree(line):
         raise ReadError(f"{where}: no line of a tree", hint=_HINT)
-    number, robot, cook, words = columns
+    number, robot, cook, words = _columns(line)
     robot, cook = (" ".join(said.lower().split()) for said in (robot, cook))
     if robot not in {YES, NO}:
         raise ReadError(f"{where}: robot says “{robot}”", hint=_HINT)
