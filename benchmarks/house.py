@@ -311,9 +311,9 @@ HELD: Mapping[str, int] = {
     "circles between modules": 0,
     "circles between rooms": 0,
     f"files over {MOST_LINES} lines": 0,
-    f"functions more complex than {MOST_COMPLEX}": 15,
+    f"functions more complex than {MOST_COMPLEX}": 0,
     "functions more complex than 20": 0,
-    "the most complex": 13,
+    "the most complex": 10,
     f"pairs of files that share {RUN} lines": 5,
 }
 """What may not get worse: the most of each figure. Whoever makes one better lowers it here."""

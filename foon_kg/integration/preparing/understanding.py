@@ -229,13 +229,24 @@ def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> boo
     return told if told is not None else _is_made_here(want, form, row, operators)
 
 
+def _is_trimmed_here(want: Want, form: str) -> bool | None:
+    """Whether a cook trims a food that is asked so and is sold in a ``form``; ``None`` where that is not told.
+
+    A butcher trims flesh: it has no ends that a cook cuts off.
+    """
+    if want.asked not in word_list("is cut off at the ends"):
+        return None
+    if want.facts.is_a(*word_list("is flesh")):
+        return False
+    return True if want.facts.is_a("vegetable") and form == "whole" else None
+
+
 def _is_known_to_be_made(want: Want, form: str, row: State) -> bool | None:
     """Whether a state can be given to a food by what is known of both; ``None`` where the FOON has to show it."""
-    trimmed = want.asked in word_list("is cut off at the ends")
-    if trimmed and want.facts.is_a("vegetable") and form == "whole":
-        return True
-    if (trimmed and want.facts.is_a(*word_list("is flesh"))) or _is_too_small_to_be_cut(want, row):
-        return False  # a butcher trims flesh: it has no ends that a cook cuts off
+    if (trimmed := _is_trimmed_here(want, form)) is not None:
+        return trimmed
+    if _is_too_small_to_be_cut(want, row):
+        return False
     if row.earns == RINSED:
         return form in {"whole", "pieces"} or CANNED in want.leaf
     return True if _melts(want) or _is_mashed_as_sold(want) else None
