@@ -183,11 +183,11 @@ class Cook:
         )
 
     def refuses(self, step):
-        """Whether a step is refused; then it must have changed nothing."""
+        """Return whether a step is refused and has changed nothing."""
         before = self.told()
         with pytest.raises(RefusedError):
             step()
-        assert self.told() == before
+        return self.told() == before
 
 
 def _vessel(vessel):
@@ -225,9 +225,9 @@ def test_whatever_is_possible_happens_in_the_world_of_the_judge_too_and_can_be_e
 def test_what_is_refused_changes_nothing(cook):
     for vessel in cook.vessels:
         if vessel.contents:
-            cook.refuses(lambda vessel=vessel: cook.bench.require([("levitate", ())], foods_of(vessel)))
+            assert cook.refuses(lambda vessel=vessel: cook.bench.require([("levitate", ())], foods_of(vessel)))
         for stuff in cook.free if vessel.lid else ():
-            cook.refuses(partial(cook.bench.bring, [stuff], vessel, cook.way("pour", stuff.foods)))
+            assert cook.refuses(partial(cook.bench.bring, [stuff], vessel, cook.way("pour", stuff.foods)))
 
 
 def pot_of_potatoes(*, on):
@@ -245,7 +245,7 @@ def test_food_does_not_come_into_a_covered_vessel():
     cook.bench.cover(pot, "lid")
     salt = cook.bench.fetch("salt", ("granulated",), [], "shaker")
     cook.free.append(salt)
-    cook.refuses(lambda: cook.bench.bring([salt], pot, cook.way("sprinkle", ("salt",))))
+    assert cook.refuses(lambda: cook.bench.bring([salt], pot, cook.way("sprinkle", ("salt",))))
     cook.bench.uncover(pot)
     cook.bench.bring([salt], pot, cook.way("sprinkle", ("salt",)))
     assert foods_of(pot) == ("water", "potato", "salt")
@@ -255,12 +255,12 @@ def test_food_does_not_come_out_of_a_covered_vessel():
     cook, pot = pot_of_potatoes(on=False)
     cook.bench.cover(pot, "lid")
     bowl = cook.vessels[0]
-    cook.refuses(lambda: cook.bench.bring(list(pot.contents), bowl, cook.way("pour", foods_of(pot))))
+    assert cook.refuses(lambda: cook.bench.bring(list(pot.contents), bowl, cook.way("pour", foods_of(pot))))
 
 
 def test_nothing_is_cooked_over_a_stove_that_is_off():
     cook, pot = pot_of_potatoes(on=False)
-    cook.refuses(lambda: cook.bench.work(pot, cook.way("boil", foods_of(pot)), "stew", ("cooked",)))
+    assert cook.refuses(lambda: cook.bench.work(pot, cook.way("boil", foods_of(pot)), "stew", ("cooked",)))
 
 
 def test_over_a_stove_that_is_on_it_is_cooked():

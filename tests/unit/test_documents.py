@@ -77,7 +77,7 @@ def test_the_python_of_a_page_runs(page, capfd):  # a process that an example st
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "py")], ids=lambda page: page.stem)
 def test_python_for_what_is_not_installed_here_is_python(page):
     for example in blocks(page, "py"):
-        compile(example, page.name, "exec")
+        assert compile(example, page.name, "exec").co_code
 
 
 @pytest.fixture(scope="module")

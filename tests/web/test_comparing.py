@@ -115,6 +115,7 @@ def test_a_plan_of_this_browser_is_offered_and_going_back_is_another_choice(page
     until(page, COMPARED)
     page.find_element("xpath", "//a[text()='Compare with something else']").send_keys(ENTER)
     until(page, "return !!document.getElementById('compare-avoid')")
+    assert not page.find_elements("css selector", ".sides h2")
 
 
 def test_on_a_phone_there_is_one_column_and_the_same_is_told_once(compared):
