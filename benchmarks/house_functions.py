@@ -72,7 +72,8 @@ def score(function: Function) -> Score:
     """Return what a function's docstring says: by words that can be found, not by whether they are good ones."""
     text = ast.get_docstring(function.node) or ""
     arguments = [one.arg for one in (*function.node.args.args, *function.node.args.kwonlyargs)]
-    arguments = [one for one in arguments if one not in {"self", "cls"}]
+    # a name that begins with "_" is of an argument that nobody reads: an interface asks for it
+    arguments = [one for one in arguments if one not in {"self", "cls"} and not one.startswith("_")]
     numbers = [
         one.arg
         for one in (*function.node.args.args, *function.node.args.kwonlyargs)

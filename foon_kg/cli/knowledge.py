@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 
 
 def front_door(files: Sequence[Path] | None, say: Say) -> Foon:
-    """Return the FOON that a command asks: of ``files``, else of the environment's Neo4j or the local one."""
+    """Return the FOON that a command asks: of ``files``, else of the environment's Neo4j or the local one.
+
+    Where a local Neo4j has to be started, ``say`` takes the lines that tell so.
+    """
     from foon_kg.foon import Foon
 
     return Foon.of_subgraphs(subgraphs_of(files, say), _lessons_in(files)) if files else Foon.connect(say=say)
@@ -36,13 +39,16 @@ def _lessons_in(files: Sequence[Path]) -> Sequence[Lesson]:
 
 @contextmanager
 def open_knowledge(files: Sequence[Path] | None, say: Say) -> Iterator[Snapshot | GraphView]:
-    """Open a FOON for reading: of ``files``, else the environment's Neo4j, else the local one (started if down)."""
+    """Open a FOON for reading: of ``files``, else the environment's Neo4j, else the local one (started if down).
+
+    ``say`` takes the lines that tell of the start. The connection is closed when the ``with`` statement ends.
+    """
     with front_door(files, say) as foon, foon.reading() as view:
         yield view
 
 
 def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
-    """Bring a whole FOON into memory: of ``files``, else from Neo4j."""
+    """Return a whole FOON in memory: of ``files``, else from Neo4j; ``say`` takes the lines that tell of its start."""
     with front_door(files, say) as foon:
         return foon.snapshot()
 

@@ -119,14 +119,14 @@ class Journal:
             self._assumed += [notice] * (len(self._assumed) < _SHOWN)
 
     def note_left_over(self, understood: UnderstoodRecipe) -> None:
-        """Take down the lines of a recipe in which no food was found."""
+        """Take down the lines of an ``understood`` recipe in which no food was found."""
         place = understood.recipe.place
         for line in understood.left_over:
             self.left_over += 1
             self._write({"file": place, "kind": "no-food", "message": line, "action": "kept as left over"})
 
     def note_words(self, understood: UnderstoodRecipe) -> None:
-        """Take down which foods and states a recipe asks for; each is kept once, with the first place."""
+        """Take down which foods and states an ``understood`` recipe asks for, each once, with the first place."""
         for called in understood.ingredients:
             self._asked.setdefault((called.object, called.state), understood.recipe.place)
 
@@ -180,7 +180,11 @@ def _journal(report: Path | None) -> Iterator[Journal]:
 def beside(
     paths: Sequence[Path], bad_tolerance: int | None, say: Say, *, quiet: bool
 ) -> Iterator[tuple[Callable[[Staged], None] | None, dict[str, int]]]:
-    """Yield what stages the recipes of ``paths`` for an import (``None`` without paths), and counts that it fills."""
+    """Yield what stages the recipes of ``paths`` for an import (``None`` without paths), and counts that it fills.
+
+    ``bad_tolerance`` is how many recipes may be rejected, ``None`` for one in a hundred. What is odd goes to ``say``;
+    with ``quiet`` no progress is shown.
+    """
     if not paths:
         yield None, {}
         return

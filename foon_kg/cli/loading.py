@@ -44,9 +44,11 @@ _ONE_IN = 100
 def tell_in_short(
     notices: Sequence[Notice], words: Mapping[UnknownWord, Where], report: Path | None, say: Say, *, named: bool = False
 ) -> None:
-    """Say what is odd about subgraph files: one by one where that is little, else in one line.
+    """Tell ``say`` what is odd about subgraph files: one by one where that is little, else in one line.
 
-    Where what was skipped has to be mended, the first of it is ``named``.
+    ``notices`` are what was skipped or assumed, ``words`` those that no table has with where they stand. The line names
+    ``report``, the file that lists them all, if there is one. Where what was skipped has to be mended, the first of it
+    is ``named``.
     """
     skipped = [notice for notice in notices if str(notice.severity) == "rejected"]
     if len(notices) <= _FEW:

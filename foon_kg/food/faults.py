@@ -38,7 +38,10 @@ _SAID = {"text": "a text", "list": "a list of texts", "truth": "true or false", 
 
 
 def malformed(document: Toml, sections: Mapping[str, Mapping[str, str]]) -> Iterator[str]:
-    """Return what is wrong with the form of a table, one sentence each; ``sections`` are :data:`UTENSILS` or FOODS."""
+    """Return what is wrong with the form of a table, one sentence each.
+
+    ``document`` is the table as TOML is read; ``sections`` are :data:`UTENSILS` or FOODS.
+    """
     for section, rows in document.items():
         if section not in sections:
             yield f"nobody asks for “{section}”{_near(section, sections)}"
@@ -78,7 +81,10 @@ def _near(name: str, among: Collection[str]) -> str:
 
 
 def unknown_targets(document: Toml, kinds: Collection[str], names: Collection[str]) -> Iterator[str]:
-    """Return which kinds and names a well-formed table of foods uses that are not among ``kinds`` and ``names``."""
+    """Return which kinds and names a well-formed table of foods uses that are not among ``kinds`` and ``names``.
+
+    ``document`` is the table as TOML is read.
+    """
     for section in ("kinds", "foods"):
         for name, row in document.get(section, {}).items():
             yield from _unknown_kinds(f"{section} “{name}”", row, kinds)
@@ -98,7 +104,10 @@ def _unknown_kinds(where: str, row: Mapping[str, Any], kinds: Collection[str]) -
 
 
 def words_twice(document: Toml) -> Iterator[str]:
-    """Return the words that two kinds have, or two groups, of a well-formed table; spellings in one kind are one."""
+    """Return the words that two kinds have, or two groups, of a well-formed table; spellings in one kind are one.
+
+    ``document`` is the table as TOML is read.
+    """
     for section, field in (("kinds", "words"), ("groups", "names")):
         own = [set(map(_listed, row.get(field, []))) for row in document.get(section, {}).values()]
         there = Counter(word for words in own for word in words)

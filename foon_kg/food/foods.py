@@ -47,7 +47,7 @@ class FoodTable:
         return self._known[key]
 
     def as_measured(self, label: str, measures: Iterable[str]) -> str:
-        """Return the state that ``measures`` say of a food: canned of a can, a sprig of thyme; else ``""``."""
+        """Return the state that ``measures`` say of ``label``: canned of a can, a sprig of thyme; else ``""``."""
         said = frozenset(measures)
         for measured, states in (
             ("measures what is canned", {_PACKED}),
@@ -59,7 +59,7 @@ class FoodTable:
         return ""
 
     def find(self, label: str) -> tuple[str, str, Match]:
-        """Return the kind of a name, the name of the table that it was found as, and how: the longest phrase wins."""
+        """Return the kind of ``label``, the name of the table that it was found as, and how: the longest phrase."""
         name = singular(_plain(label))
         if name not in self._found:
             make_room(self._found)
@@ -67,7 +67,7 @@ class FoodTable:
         return self._found[name]
 
     def is_listed(self, label: str) -> bool:
-        """Whether the table lists the name itself."""
+        """Return whether the table lists ``label`` itself, in the singular or the plural."""
         return singular(label) in self.kind_of
 
     def broader(self, kind: str) -> frozenset[str]:
@@ -138,7 +138,7 @@ def _phrases(own: Sequence[str]) -> Iterator[Sequence[str]]:
 
 
 def make_room(kept: dict[Any, Any]) -> None:
-    """Forget what was looked up once there is too much of it: names come from strangers, and never end."""
+    """Empty ``kept`` once too much was looked up: names come from strangers, and never end."""
     if len(kept) >= MOST_LOOKED_UP:
         kept.clear()
 

@@ -14,7 +14,7 @@ from foon_kg.food.shipped import shipped
 
 @cache
 def word_list(name: str) -> frozenset[str]:
-    """Return the words of one list, as ``word_list("free foods")``; KeyError for a list that is not there."""
+    """Return the words of the list ``name``, as ``word_list("free foods")``; KeyError for a list that is not there."""
     return word_lists()[name]
 
 

@@ -37,13 +37,13 @@ class Named:
     at: str = ""
 
     def said(self, told: Sequence[str]) -> str:
-        """Return the words of a title that ask for it, ``""`` where none do."""
+        """Return the words of a title, ``told`` in their order, that ask for it; ``""`` where none do."""
         if any(_stands_in(name, told) for name in self.never):
             return ""
         return next((" ".join(name) for name in self.called if _stands_in(name, told)), "")
 
     def is_done_by(self, motion: str, row: Motion) -> bool:
-        """Whether a step of that motion does it."""
+        """Return whether a step of ``motion`` does it; ``row`` is what the tables say of the motion."""
         return not self.by.isdisjoint(words(motion)) or not self.does.isdisjoint(row.does)
 
     def in_time(self, found: Sequence[int], hot: Sequence[int]) -> list[int]:
@@ -55,7 +55,7 @@ class Named:
         return list(found)
 
     def is_of(self, label: str, facts: Food) -> bool:
-        """Whether it is done to such a food."""
+        """Return whether it is done to the food ``label``; ``facts`` are what the tables say of that food."""
         return not self.of or any(foods.mean(label, facts, ()) for foods in self.of)
 
     def is_ruled_out(self, foods: Collection[tuple[str, Food]], around: Around) -> bool:
@@ -64,7 +64,10 @@ class Named:
 
 
 def named_by(title: str, dish_type: str, foods: Collection[tuple[str, Food]]) -> tuple[tuple[Named, str], ...]:
-    """Return what a title asks for, each with the words that do; ``foods`` are those of the recipe with their names."""
+    """Return what the ``title`` of a dish of type ``dish_type`` asks for, each with the words that do.
+
+    ``foods`` are those of the recipe with their names.
+    """
     told = words(title)
     around = Around([facts for _, facts in foods], told)
     found = []

@@ -64,7 +64,7 @@ def _kind(name: str, row: Toml, known: Kind | None, where: str) -> Kind:
 
 
 def state_row(name: str, row: Toml) -> State:
-    """Return what a row says of a state."""
+    """Return what ``row``, of the table of states, says of the state ``name``."""
     return State(
         name,
         frozenset(row.get("earns", [])),
@@ -79,7 +79,7 @@ def state_row(name: str, row: Toml) -> State:
 
 
 def motion_row(name: str, row: Toml) -> Motion:
-    """Return what a row says of a motion, or of a word of one."""
+    """Return what ``row``, of the table of motions, says of the motion ``name``, or of a word of one."""
     tool, does = frozenset(row.get("tool", [])), frozenset(row.get("does", []))
     return Motion(
         name,
@@ -116,7 +116,7 @@ def utensil_rows(document: Toml, where: str) -> Iterator[tuple[str, Utensil]]:
 
 
 def dish_row(name: str, row: Toml) -> Dish:
-    """Return what a row says of a dish."""
+    """Return what ``row``, of the table of dishes, says of the dish ``name``."""
     return Dish(
         singular(name),
         needs_of(row.get("needs", [])),
@@ -138,7 +138,7 @@ def dish_row(name: str, row: Toml) -> Dish:
 
 
 def needs_of(rows: Iterable[Iterable[str] | str]) -> tuple[tuple[str, ...], ...]:
-    """Return lists of alternatives; a flat list is one list of alternatives."""
+    """Return the lists of alternatives in ``rows``; where these are words alone, they are one such list."""
     listed = list(rows)
     if listed and all(isinstance(row, str) for row in listed):
         return (tuple(map(str, listed)),)

@@ -11,7 +11,10 @@ PART = "foam"
 
 
 def comes_apart(facts: Food, state: str) -> bool:
-    """Return whether a food is asked in its two parts, and somebody has to open it for that."""
+    """Return whether a food that is asked in ``state`` is asked in its two parts, and somebody has to open it for that.
+
+    ``facts`` are what the tables say of the food.
+    """
     return state in word_list("is asked in two parts") and facts.is_a(*word_list("comes apart when it is opened"))
 
 
@@ -27,5 +30,8 @@ def parts_in(label: str) -> tuple[str, str]:
 
 
 def parts_asked(label: str, facts: Food, state: str) -> tuple[str, ...]:
-    """Return the names, in the singular, of the parts in which a food is asked; none where it is asked whole."""
+    """Return the names, in the singular, of the parts in which the food ``label`` is asked in ``state``.
+
+    ``facts`` are what the tables say of it. There are none where the food is asked whole.
+    """
     return tuple(map(singular, parts_in(label))) if comes_apart(facts, state) else ()

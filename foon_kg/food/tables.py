@@ -120,7 +120,7 @@ class Tables:
         return self.utensils.get(singular(label))
 
     def state(self, name: str) -> State:
-        """Return what a state says: as it is listed, else as its words are ("thinly sliced" is sliced)."""
+        """Return what the state ``name`` says: as it is listed, else as its words are ("thinly sliced" is sliced)."""
         found = self._states.get(name)
         if found is None:
             make_room(self._states)
@@ -128,7 +128,7 @@ class Tables:
         return found
 
     def motion(self, name: str) -> Motion:
-        """Return what a motion does: as the phrase is listed, else all that its words do."""
+        """Return what the motion ``name`` does: as the phrase is listed, else all that its words do."""
         found = self._motions.get(name)
         if found is None:
             make_room(self._motions)

@@ -177,7 +177,7 @@ class Technique:
     video: frozenset[str] = frozenset()
 
     def is_called(self, dish_type: str, told: Sequence[str]) -> bool:
-        """Whether a dish of that type, with these words in its title, is called so."""
+        """Return whether a dish of ``dish_type``, whose title has the words ``told`` in this order, is called so."""
         if not self.never.isdisjoint(told):
             return False
         if dish_type in self.or_types:
@@ -197,7 +197,7 @@ def techniques() -> tuple[Technique, ...]:
 
 
 def techniques_called(dish_type: str, told: Iterable[str]) -> Iterator[Technique]:
-    """Yield the techniques by whose names a dish of that type, with these words in its title, may be called.
+    """Yield the techniques by whose names a dish of ``dish_type``, whose title has the words ``told``, may be called.
 
     They are in the order of the tables. A title has the first word of few of their names, so few are read.
     """
@@ -236,7 +236,7 @@ def _by_first_words() -> tuple[Mapping[str, list[int]], Mapping[str, list[int]],
 
 @cache
 def ways(when: str = "ways") -> tuple[Technique, ...]:
-    """Return what words of a name change of what a video does, in the order of one of the tables of ``ways.toml``."""
+    """Return what words of a name change of what a video does, in the order of the table ``when`` of ``ways.toml``."""
     return tuple(_technique(name, row) for name, row in shipped("ways")[when].items())
 
 

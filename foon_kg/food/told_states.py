@@ -14,7 +14,7 @@ def asked_state(states: Sequence[str], known: Tables) -> str:
     """Return the state that is asked by all ``states``, told in the order in which they come about; ``""`` of none.
 
     That is the last that stays (of "melted, cooled" melted). Where heat made it or a can held it before that, both are
-    asked; so are a cut and the cooking after it.
+    asked; so are a cut and the cooking after it. What heat makes and what is cut is read from the tables ``known``.
     """
     staying = [state for state in states if state not in word_list("passes")] or list(states[-1:])
     if not staying:

@@ -54,12 +54,12 @@ def singular_word(word: str) -> str:
 
 @functools.lru_cache(maxsize=1 << 14)
 def plain_words(text: str) -> frozenset[str]:
-    """Return the words of a motion or a state as they are written, in lower case."""
+    """Return the words of ``text``, a motion or a state, as they are written, in lower case."""
     return frozenset(_WORD.findall(text.lower()))
 
 
 def is_among(name: str, names: Collection[str]) -> bool:
-    """Return whether a food is among others, in the same words or with more (broth, chicken broth)."""
+    """Return whether the food ``name`` is one of ``names``, in the same words or with more (broth, chicken broth)."""
     own = name.split()
     for other in names:
         theirs = other.split()
@@ -76,7 +76,7 @@ def is_unbaked(title: str) -> bool:
 
 
 def without_part(text: str) -> tuple[str, str]:
-    """Return a line without the words that say for what its food is, and for what; ``""`` where it says nothing.
+    """Return the line ``text`` without the words that say for what its food is, and for what; ``""`` for nothing.
 
     What only more of it is for ("plus extra for dusting") is not what the food is for.
 
@@ -95,7 +95,7 @@ def without_part(text: str) -> tuple[str, str]:
 
 
 def heading_part(text: str) -> str:
-    """Return the part of a dish that a heading names; ``""`` where it names none.
+    """Return the part of a dish that ``text``, a heading, names; ``""`` where it names none.
 
     >>> heading_part("For the lemon glaze:")
     'glaze'

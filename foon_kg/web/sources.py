@@ -73,10 +73,10 @@ class WholeSources:
         _ = self._alone
 
     def check(self, *, with_drafts: bool) -> None:
-        """Raise nothing."""
+        """Raise nothing, ``with_drafts`` or without."""
 
     def of(self, _: Answer, *, with_drafts: bool) -> Source:
-        """Return the whole FOON."""
+        """Return the whole FOON, with the drafted steps in it where ``with_drafts``."""
         return self._with_drafts if with_drafts else self._alone
 
     @cached_property

@@ -11,16 +11,19 @@ from foon_kg.world.things import Lump
 
 
 def is_product(known: Tables, one: Said) -> bool:
-    """Whether a food output is something that is made of foods: a dish, a dough, a dressing."""
+    """Return whether ``one``, a food output, is something that is made of foods: a dish, a dough, a dressing.
+
+    ``known`` are the tables that say so of its name.
+    """
     return len(one.names - {one.label}) > 1 or known.foods.food(one.label, one.node.states).is_a("made", "dough")
 
 
 def can_become(known: Tables, one: Said, sources: Sequence[Lump]) -> bool:
-    """Return whether ``sources`` can make what an output says.
+    """Return whether ``sources`` can make what ``one``, a food output, says.
 
     A product needs what its name promises (dough: flour or its like); a plain food comes only of itself, by any name
     that shares a word with it (lemon juice of lemon), of something of its kind, or of what it is a part of (an egg's
-    white).
+    white). The tables ``known`` tell kinds and parts.
     """
     parts = [part.food for lump in sources for part in lump.parts]
     if not parts or not _has_all_it_needs(one.label, parts, known):

@@ -15,7 +15,7 @@ _LETS_GO = ("separate", "discard", "clean")
 
 
 def settle(out: Outcome) -> None:
-    """Bring to each food and into each vessel what its node holds, and to its place what no node tells of."""
+    """Bring to each food and vessel of ``out`` what its node holds, and to its place what no node tells of."""
     for place, one in enumerate(out.said):
         if one.utensil is None:
             _gather(out, place)

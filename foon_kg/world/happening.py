@@ -54,7 +54,10 @@ class Happening:
     in_oven: bool = False
 
     def fault(self, rule: str, reason: str, *nodes: ObjectNode, minor: bool = False) -> None:
-        """Keep a mishap, each once."""
+        """Keep a mishap, each once: the ``rule`` it breaks, the ``reason`` in a sentence, the ``nodes`` that show it.
+
+        A ``minor`` one is odd, yet it can be done.
+        """
         mishap = Mishap(rule, reason, nodes, minor)
         if mishap not in self.mishaps:
             self.mishaps.append(mishap)

@@ -10,7 +10,7 @@ from foon_kg.world.things import Lump, Vessel
 
 
 def divides_like(lump: Lump, said: Said) -> bool:
-    """Whether ``lump`` is in no smaller pieces than a node says, and remains exactly where the node says remains."""
+    """Return whether ``lump`` is in no smaller pieces than a node ``said``, and remains exactly where that says so."""
     if said.undivided:
         return lump.fine == 0 and not lump.mixed
     if said.fine and lump.fine > said.fine and set(said.node.states).isdisjoint(lump.states):
@@ -19,14 +19,14 @@ def divides_like(lump: Lump, said: Said) -> bool:
 
 
 def is_still(lump: Lump, said: Said) -> bool:
-    """Whether ``lump`` is still as the node says that it came out as."""
+    """Return whether ``lump`` is still as the node ``said`` that it came out as."""
     if lump.gone or lump.states != said.node.states:
         return False
     return said.place is None or lump.where is None or said.place_utensil is None or same_place(said.place, lump.where)
 
 
 def place_score(said: Said, lump: Lump, there: Collection[str], *, lies_on: bool | None) -> int:
-    """Return how well the place of a lump is the one that a node says: 0 not at all, 3 the same.
+    """Return how well the place of a lump is the one that the node ``said``: 0 not at all, 3 the same.
 
     ``there`` are the labels of the vessels that go in; ``lies_on`` says whether the lump lies on the food that the node
     names as its place, ``None`` where it names none.
@@ -67,5 +67,5 @@ def carries(utensil: Utensil | None) -> bool:
 
 
 def in_storage(said: Said) -> bool:
-    """Whether a node says that its food is in what it is sold in, or comes out of a tap."""
+    """Return whether the node ``said`` that its food is in what it is sold in, or comes out of a tap."""
     return said.place_utensil is not None and said.place_utensil.keeps_food

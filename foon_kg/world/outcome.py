@@ -79,7 +79,10 @@ class Outcome:
                     yield vessel
 
     def leave_rest(self, lump: Lump) -> None:
-        """Leave some of a stock food (salt, oil, flour) in the vessel it is taken from, unless that is told empty."""
+        """Leave some of ``lump`` in the vessel it is taken from if it is a stock food (salt, oil, flour).
+
+        Nothing is left where the vessel is told empty, and nothing on a place or in an appliance.
+        """
         vessel = lump.where
         if vessel is None or not (self._is_stock(lump) or self._is_portioned(lump)):
             return
@@ -100,14 +103,14 @@ class Outcome:
         return (lump.mixed or lump.fine > 0) and (on_food or self.happening.does("scatter"))
 
     def tell_missing(self, name: str, node: ObjectNode) -> None:
-        """Tell an ingredient that is in no input (W2)."""
+        """Tell that ``node`` holds an ingredient ``name`` that is in no input (W2)."""
         facts = self.tables.foods.food(name)
         minor = facts.is_a("water", "spice", "herb", "fat", "sweet", "leaven", "salt")
         minor = minor or any(part.food.kind == facts.kind for lump in self.lumps() for part in lump.parts)
         self.happening.fault("W2", f"it holds {name}, which did not go in", node, minor=minor)
 
     def consume(self, lump: Lump, product: Lump) -> None:
-        """Let a lump go up in another one, which is called as it was too where somebody made it."""
+        """Let ``lump`` go up in ``product``, which is called as it was too where somebody made it."""
         lump.gone = True
         self.supply.put(lump, None)
         product.names |= {name for name in lump.names if lump.made}
@@ -147,5 +150,5 @@ class Outcome:
         self.happening.emptied = [vessel for vessel in places if not vessel.lumps]
 
     def is_liquid(self, one: Said) -> bool:
-        """Whether a food output is a liquid in the state that it says."""
+        """Return whether ``one``, a food output, is a liquid in the state that it says."""
         return self.tables.foods.food(one.label, one.node.states).is_a("liquid")

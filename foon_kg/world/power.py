@@ -14,7 +14,11 @@ _SWITCHES = ("switch on", "switch off")
 
 
 def check_inputs(happening: Happening) -> None:
-    """Tell appliances that are not as their input nodes say, work without its source, and food behind closed doors."""
+    """Tell what of the step ``happening`` cannot be, by what its appliances and hot vessels are.
+
+    That is an appliance that is not as its input node says or has nothing to work with, food behind closed doors, a
+    vessel that is not hot, and what is attached to nothing.
+    """
     utensils = [said for said in happening.said_in if said.utensil is not None]
     for vessel, said in zip(happening.vessels, utensils, strict=True):
         if vessel.is_appliance:
@@ -27,7 +31,7 @@ def check_inputs(happening: Happening) -> None:
 
 
 def burner_of(said: Said) -> str:
-    """Return the burner that an appliance's node speaks of: the vessel that stands on it; ``""`` for none."""
+    """Return the burner that ``said``, an appliance's node, names: the vessel that stands on it; ``""`` for none."""
     return said.covers or (said.place or "" if said.place_utensil is not None else "")
 
 
@@ -84,7 +88,7 @@ def _nodes_of(happening: Happening) -> tuple[ObjectNode, ...]:
 
 
 def sources_of(happening: Happening, source: str) -> list[tuple[Vessel, str]]:
-    """Return the appliances that give ``source`` (heat, power) in a step, each with the burner.
+    """Return the appliances that give ``source`` (heat, power) in the step ``happening``, each with the burner.
 
     These are inputs, and what an input stands on.
     """
@@ -102,7 +106,10 @@ def _gives(vessel: Vessel, source: str) -> bool:
 
 
 def heated_vessels(happening: Happening) -> list[Vessel]:
-    """Return the vessels in which a step that cooks works: all that hold food and take part, storage apart."""
+    """Return the vessels in which a step that cooks works: all that hold food and take part in ``happening``.
+
+    Storage and tools are none of them.
+    """
     vessels = [vessel for vessel in happening.vessels if vessel.lumps]
     vessels += [lump.where for lump in happening.inputs if lump.where is not None]
     found: list[Vessel] = []
@@ -125,7 +132,10 @@ def _check_attached(happening: Happening) -> None:
 
 
 def check_outputs(supply: Supply, happening: Happening) -> None:
-    """Switch what the motion switches in the kitchen of ``supply``, and tell what enters or leaves something closed."""
+    """Switch what the motion switches in the kitchen of ``supply``, and tell what enters or leaves something closed.
+
+    Both are as ``happening``, the step, says by its outputs.
+    """
     for said in happening.said_out:
         if said.is_appliance:
             _switch(supply, said, said.node, happening)
@@ -177,7 +187,7 @@ def _turn(vessel: Vessel, burner: str, *, on: bool) -> None:
 
 
 def hot_vessels(supply: Supply) -> list[Vessel]:
-    """Return the vessels that hold food and stand over heat that is on."""
+    """Return the vessels of the kitchen ``supply`` that hold food and stand over heat that is on."""
     found = []
     for vessels in supply.vessels.values():
         for vessel in vessels:

@@ -143,5 +143,8 @@ def _place_in_states(node: ObjectNode) -> str | None:
 
 @lru_cache(maxsize=8)
 def reader(known: Tables, foods: frozenset[str] = frozenset()) -> Reader:
-    """Return a reader that many trees share: nodes come up again and again."""
+    """Return a reader of nodes by the tables ``known`` that many trees share: nodes come up again and again.
+
+    ``foods`` are names that are foods though they are also tools.
+    """
     return Reader(known, foods)

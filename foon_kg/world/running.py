@@ -11,7 +11,7 @@ _SEVERAL = 2
 
 
 def is_runny(label: str, states: Sequence[str], parts: Sequence[str], known: Tables) -> bool:
-    """Return whether a food called ``label`` in these states is liquid.
+    """Return whether a food called ``label`` in these states is liquid, by the tables ``known``.
 
     Of ``parts``, the names of the foods that it was made of, all have to run or to dissolve in one that does.
     """

@@ -43,7 +43,11 @@ class Supply:
     # --- vessels ---
 
     def vessel(self, mention: Mention, said: Said, happening: Happening) -> Vessel:
-        """Return the vessel, tool or appliance that an input node is."""
+        """Return the vessel, tool or appliance that an input of the step ``happening`` is.
+
+        The ``mention`` may number the thing; ``said`` is what its node says. A fresh one is fetched where none there
+        can be it.
+        """
         if mention.thing is not None:
             return self._numbered_vessel(mention.thing, said, happening)
         if said.is_appliance:
@@ -62,7 +66,10 @@ class Supply:
         return known[0] if known else self.fresh(label)
 
     def fresh(self, label: str, number: int | None = None) -> Vessel:
-        """Return another vessel from the cupboard."""
+        """Return another vessel called ``label`` from the cupboard.
+
+        ``number`` is that of the thing in the tree, if it has one.
+        """
         row = self.reader.utensil(label)
         if row is None:  # a food that something lies on, or a place that nobody lists
             row = _PLACE
@@ -148,7 +155,10 @@ class Supply:
     # --- foods ---
 
     def food(self, mention: Mention, said: Said, happening: Happening) -> Lump:
-        """Return the lump that an input node is; a new one from the kitchen where nothing there can be it."""
+        """Return the lump that an input of ``happening`` is; a new one from the kitchen where none there can be it.
+
+        The ``mention`` may number the thing; ``said`` is what its node says.
+        """
         if mention.thing is not None:
             lump = self.numbered_lumps.get(mention.thing)
             if lump is None:
@@ -256,7 +266,11 @@ class Supply:
         number: int | None = None,
         names: frozenset[str] = frozenset(),
     ) -> Lump:
-        """Return a food that is there from the start, with the history that its states tell."""
+        """Return the food ``label``, there from the start, with the history that its ``states`` tell.
+
+        It is ``where`` the step with the number ``step`` finds it. ``number`` is that of the thing in the tree, if it
+        has one; ``names`` are the foods that it holds untold.
+        """
         parts = [self.new_part(label, states, step)]
         held = [self.new_part(name, (), step) for name in sorted(names - {label})]
         for part in held:
@@ -267,14 +281,17 @@ class Supply:
         return lump
 
     def name_lump(self, name: str, step: int, where: Vessel | None) -> Lump:
-        """Return a food that only a name in a ``{}`` tells of."""
+        """Return the food ``name`` that only a ``{}`` tells of, ``where`` the step of number ``step`` finds it."""
         lump = self.new_lump(name, (), step, where)
         for part in lump.parts:
             part.untold = True
         return lump
 
     def new_part(self, label: str, states: tuple[str, ...], step: int) -> Part:
-        """Return a part of a food as it comes from the kitchen; its states tell what was done to it before."""
+        """Return a part of the food ``label`` as the step with the number ``step`` takes it from the kitchen.
+
+        Its ``states`` tell what was done to it before.
+        """
         rows = [self.reader.tables.state(state) for state in states]
         done = {treatment: -1 for row in rows for treatment in row.earns}
         fine = max((row.fine for row in rows if row.fine is not None), default=0)
@@ -295,7 +312,7 @@ class Supply:
         self.put(lump, where)
 
     def put(self, lump: Lump, where: Vessel | None) -> None:
-        """Bring a lump to another place, with what lies on it."""
+        """Bring a lump to the vessel ``where``, with what lies on it; to no place for ``None``."""
         riders = [other for other in lump.riders if not other.gone and other.where is lump.where and other is not lump]
         if lump.where is not None and lump in lump.where.lumps:
             lump.where.lumps.remove(lump)

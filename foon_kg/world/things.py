@@ -49,7 +49,7 @@ class Part:
         return (self.origin, self.remains, frozenset(self.done), self.fine)
 
     def copy(self, *, remains: bool = False) -> Part:
-        """Return another portion of it."""
+        """Return another portion of it; one that ``remains`` is left over."""
         return Part(
             self.food, self.states, self.taken, dict(self.done), self.fine, remains or self.remains,
             self.joined, self.mixed, self.heated, self.cooled, self.untold, self.spoonful, self.origin,

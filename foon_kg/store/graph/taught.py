@@ -26,7 +26,7 @@ class Taught:
 
 
 def taught_by(subgraph: Subgraph, kitchen: Kitchen) -> Taught:
-    """Return what ``subgraph`` teaches, whatever else the graph has."""
+    """Return what ``subgraph`` teaches in this ``kitchen``, whatever else the graph has."""
     frames = frames_in(subgraph, kitchen)
     units = {annotation.unit.key: annotation.unit for annotation in subgraph.annotations}
     return Taught(frames, tuple(map(frame_row, frames)), {key: lifted(unit) for key, unit in units.items()})
@@ -68,5 +68,5 @@ class Ahead:
             del self._begun[one.name]
 
     def taught_by(self, subgraph: Subgraph) -> Taught:
-        """Return what a video of the batch that is written teaches."""
+        """Return what ``subgraph`` teaches, a video of the batch that is written; KeyError for any other."""
         return self._begun[subgraph.name].result()

@@ -198,7 +198,7 @@ class Staged(StagedRecipes):
         )  # fmt: skip
 
     def count_states(self, rows: Rows) -> None:
-        """Count nothing: what was imported is counted at once."""
+        """Leave ``rows`` uncounted: what was imported is counted at once."""
 
     def usual_foods(self, rows: Rows) -> None:
         """Leave ``rows`` to :meth:`finish`: what is most often done to what is known at the end."""
