@@ -10,12 +10,14 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
+from foon_kg.demo import demo_folder
 from foon_kg.model.regular_files import open_regular, read_bytes, read_text
 
+FILES = ("--files", str(demo_folder()))  # else a command would start the Neo4j of whoever runs the tests
 COMMANDS = {
-    "plan": ("plan", "@"),
-    "plan with a kitchen": ("plan", "--dish", "salad", "onion", "--kitchen", "@"),
-    "check": ("check", "@"),
+    "plan": ("plan", "@", *FILES),
+    "plan with a kitchen": ("plan", "--dish", "salad", "onion", "--kitchen", "@", *FILES),
+    "check": ("check", "@", *FILES),
     "show": ("show", "@"),
     "a FOON of files": ("stats", "--files", "@"),
     "similar": ("similar", "caper", "--files", "@"),
@@ -59,3 +61,4 @@ def test_a_command_that_is_given_a_pipe_says_so_and_ends(tmp_path, words):
     os.mkfifo(pipe)
     done = CliRunner().invoke(app, [str(pipe) if word == "@" else word for word in words])
     assert done.exit_code != 0
+    assert pipe.name in done.output
