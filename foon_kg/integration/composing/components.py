@@ -93,6 +93,8 @@ class _Finder:
         technique = component.technique
         if any(_are(technique.without, want, around) for want in self.rest):
             return False
+        if component.body and not component.again and not any(_are(component.body, want, around) for want in found):
+            return False  # only what may stand beside it is there
         return _have(technique.needs, found, around) and _have(component.beside, rest, around)
 
     def _may_be(self, technique: Technique) -> bool:
