@@ -16,7 +16,7 @@ from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.differences import unknown_videos
 from foon_kg.store.graph.learnt_by import methods_key
-from foon_kg.store.graph.schema import check_readable, kitchen_key, prepare_for_writing
+from foon_kg.store.graph.schema import check_readable, kitchen_key, prepare_for_writing, read_state
 from foon_kg.store.graph.statements import VIDEO_CONTENTS, VIDEO_NAMES, ask
 from foon_kg.store.graph.taught import Ahead, Taught
 from foon_kg.store.graph.writing import Writer
@@ -70,17 +70,18 @@ def load(
     what was reported as stored stays.
     """
     kitchen, wanted = kitchen or Kitchen.default(), distinct_by_name(subgraphs)
-    with connection.session(writing=True) as session:
+    with connection.session(writing=True) as session, Ahead(kitchen) as ahead:
+        if read_state(session) is None:  # all is new: it is learnt from while the database makes its indexes
+            ahead.begin(next(batches(wanted, units_per_transaction), ()))
         _begin(session, kitchen)
         report = session.execute_read(compare, wanted)
         stored(report)
         there = set(report.unchanged)
         new = (subgraph for subgraph in wanted if subgraph.name not in there)
-        with Ahead(batches(new, units_per_transaction), kitchen) as ahead:
-            for batch in ahead:
-                written = session.execute_write(_write, batch, kitchen, ahead)
-                stored(written)
-                report = report + written
+        for batch in ahead.through(batches(new, units_per_transaction)):
+            written = session.execute_write(_write, batch, kitchen, ahead)
+            stored(written)
+            report = report + written
     return report
 
 

@@ -33,14 +33,13 @@ def taught_by(subgraph: Subgraph, kitchen: Kitchen) -> Taught:
 
 
 class Ahead:
-    """Batches of videos, and what each video teaches: that of the next batch is worked out while one is written.
+    """What videos teach, worked out ahead: that of the next batch while one is written.
 
     It has a thread of its own, which runs while the writer waits for the database. What was not begun is dropped when
     the ``with`` statement ends.
     """
 
-    def __init__(self, batches: Iterable[Sequence[Subgraph]], kitchen: Kitchen) -> None:
-        self._batches = iter(batches)
+    def __init__(self, kitchen: Kitchen) -> None:
         self._kitchen = kitchen
         self._pool = ThreadPoolExecutor(max_workers=1)
         self._begun: dict[str, Future[Taught]] = {}
@@ -51,12 +50,18 @@ class Ahead:
     def __exit__(self, *_: object) -> None:
         self._pool.shutdown(cancel_futures=True)
 
-    def __iter__(self) -> Iterator[Sequence[Subgraph]]:
-        """Yield the batches; when one is taken the next is begun, and what the one before taught is forgotten."""
+    def begin(self, videos: Iterable[Subgraph]) -> None:
+        """Begin with those of the ``videos`` that were not begun yet."""
+        for one in videos:
+            if one.name not in self._begun:
+                self._begun[one.name] = self._pool.submit(taught_by, one, self._kitchen)
+
+    def through(self, batches: Iterable[Sequence[Subgraph]]) -> Iterator[Sequence[Subgraph]]:
+        """Yield the ``batches``; when one is taken the next is begun, and what the one before taught is forgotten."""
         waiting: deque[Sequence[Subgraph]] = deque()
-        for batch in self._batches:
+        for batch in batches:
             waiting.append(batch)
-            self._begun.update((one.name, self._pool.submit(taught_by, one, self._kitchen)) for one in batch)
+            self.begin(batch)
             if len(waiting) > 1:
                 yield from self._written(waiting.popleft())
         for batch in waiting:
