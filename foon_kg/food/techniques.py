@@ -259,9 +259,9 @@ class Component:
 
     Its foods are those of which a recipe says that they are for one of ``parts``; else, where the dish is called so and
     the component is ``guessed`` from that, the last of ``body``. With them come those of ``neighbours`` that are listed
-    beside them. Else they are listed after all of ``after`` around one of ``again`` that was listed before.
-    ``beside`` are foods of which each list leaves one for the rest. ``at`` is where it joins, ``by`` the stage at which
-    it does.
+    beside them. Else they are listed after all of ``after`` around one of ``again`` that was listed before. None of
+    them is one of ``lacks``; ``beside`` are foods of which each list leaves one for the rest. ``at`` is where it joins,
+    ``by`` the stage at which it does.
     """
 
     technique: Technique
@@ -276,6 +276,7 @@ class Component:
     after: tuple[Foods, ...] = ()
     behind: bool = False
     opens: bool = False
+    lacks: tuple[Foods, ...] = ()
 
 
 @cache
@@ -295,6 +296,7 @@ def components() -> tuple[Component, ...]:
             tuple(map(Foods.read, row.get("after", ()))),
             row.get("behind", False),
             row.get("opens", False),
+            tuple(map(Foods.read, row.get("lacks", ()))),
         )
         for name, row in shipped("components")["components"].items()
     )

@@ -97,7 +97,7 @@ def _is_never_hot(case: Case) -> bool:
 def _unheated(case: Case, goal: ObjectNode) -> Iterator[Finding]:
     """Yield the names of the dish that are those of hot dishes, where nothing in it was heated."""
     for dish in case.tables.dishes_named(goal.label, *case.dish_types, case.title):
-        warm = _is_asked(case, dish) or is_unbaked(case.title) or _was_hot(case)
+        warm = _is_asked(case, dish) or is_unbaked(case.title) or _was_hot(case) or _sets_cold(case, dish)
         if dish.heated and not warm:
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (goal,))
 
@@ -133,7 +133,7 @@ def _baked(case: Case) -> bool:
 
 
 def _sets_cold(case: Case, dish: Dish) -> bool:
-    """Whether a dish that may be chilled on crumbs has nothing in it that wants an oven."""
+    """Whether a dish that may be chilled on crumbs or biscuits has nothing in it that wants an oven."""
     raw = any(part.food.is_a("dough", "egg", "flour") for part in case.parts)
     return dish.name in word_list("sets cold on crumbs") and not raw
 
@@ -220,7 +220,7 @@ def asked(case: Case) -> Iterator[Finding]:
     if case.dish is None:
         return
     yield from _unparted(case)
-    beside = _for_serving(case)
+    beside, outside = _for_serving(case), _only_for(case, "is for the outside")
     for food in sorted(case.required_names):
         parts = _parts_of(case, food)
         if not parts:
@@ -230,7 +230,7 @@ def asked(case: Case) -> Iterator[Finding]:
         elif food in beside:
             if _is_cooked_for_nothing(parts):
                 yield Finding("K6", f"{food} is for serving and is cooked with the rest", parts[0].heated)
-        elif _is_left_out(case, parts):
+        elif food not in outside and _is_left_out(case, parts):
             yield Finding("K6", f"{food} is not mixed with the rest", parts[0].joined)
 
 
@@ -258,6 +258,12 @@ def _for_serving(case: Case) -> frozenset[str]:
         singular(wanted.object) for wanted in case.required if wanted.part not in said or _is_asked_hot(case, wanted)
     }
     return frozenset(case.required_names - inside)
+
+
+def _only_for(case: Case, words_of: str) -> frozenset[str]:
+    """Return the foods that the recipe asks for nothing but what a list of words says."""
+    said = word_list(words_of)
+    return frozenset(case.required_names - {singular(one.object) for one in case.required if one.part not in said})
 
 
 def _is_asked_hot(case: Case, wanted: RequiredIngredient) -> bool:

@@ -64,14 +64,20 @@ def _parted(
     own, sides = sides_of(rest, dishes, recipe.dish_type, recipe.title or "", baked=baked)
     own = (*own, *kept)
     left = technique_for(recipe.dish_type, told, own, recorded)
-    if technique is not None and technique.called and left is None and _is_named(sides):
-        return Apart(foods, foods, (), technique)  # it says itself what is put on what
+    if technique is not None and _is_whole(technique, left, sides):
+        return Apart(foods, foods, (), technique)
     return Apart(foods, own, sides, left)
 
 
-def _is_named(sides: Sequence[Side]) -> bool:
-    """Whether a recipe says itself of any food for which part it is."""
-    return any(want.part for side in sides for want in side.wants)
+def _is_whole(technique: Technique, left: Technique | None, sides: Sequence[Side]) -> bool:
+    """Whether a technique says itself what is put on what, and what the ``sides`` leave is none for it any more.
+
+    ``left`` is the technique for what they leave: another one only where the first has no lines for their parts.
+    """
+    parts = {want.part for side in sides for want in side.wants} - {""}
+    if not parts or not technique.called or "whole" in technique.plan:
+        return False
+    return left is None or (left is not technique and not parts.isdisjoint(technique.lines))
 
 
 def _foam(foods: Sequence[Want], technique: Technique | None) -> tuple[Want, ...]:

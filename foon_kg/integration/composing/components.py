@@ -93,8 +93,8 @@ class _Finder:
         technique = component.technique
         if any(_are(technique.without, want, around) for want in self.rest):
             return False
-        if component.body and not component.again and not any(_are(component.body, want, around) for want in found):
-            return False  # only what may stand beside it is there
+        if not _is_of_its_foods(component, found, around):
+            return False
         return _have(technique.needs, found, around) and _have(component.beside, rest, around)
 
     def _may_be(self, technique: Technique) -> bool:
@@ -129,13 +129,21 @@ class _Finder:
     def _told(self, component: Component, around: Around) -> set[int]:
         """Return the places of the foods of which the recipe says that they are for such a component."""
         found = self._named(component)
-        group = [self.listed[place] for place in found]
-        begun = any(_are(component.body, want, around) for want in group)
-        mixed = begun and bool(component.technique.lines)
-        if not component.body or (mixed and _have(component.technique.needs, group, around)):
+        if not component.body:
             return found
+        mixed = self._begun(found, component, around)
+        if mixed and component.technique.lines and _have(component.technique.needs, self._at(mixed), around):
+            return mixed
         foods = component.body + component.neighbours
         return {place for place in found if _are(foods, self.listed[place], around)}
+
+    def _begun(self, places: set[int], component: Component, around: Around) -> set[int]:
+        """Return those of places whose foods are for the same as a food with which a component begins."""
+        begun = {want.part for want in self._at(places) if _are(component.body, want, around)}
+        return {place for place in places if self.listed[place].part in begun}
+
+    def _at(self, places: Iterable[int]) -> list[Want]:
+        return [self.listed[place] for place in sorted(places)]
 
     def _named(self, component: Component) -> set[int]:
         return {place for place, want in self.listed.items() if want.part and want.part in component.parts}
@@ -215,6 +223,14 @@ class _Finder:
 
 def _are(foods: Sequence[Foods], want: Want, around: Around) -> bool:
     return any(means(one, want, around) for one in foods)
+
+
+def _is_of_its_foods(component: Component, found: Sequence[Want], around: Around) -> bool:
+    """Whether what was found for a component is not only what may stand beside its body, and nothing that it lacks."""
+    if any(_are(component.lacks, want, around) for want in found):
+        return False
+    begins = not component.body or bool(component.again)
+    return begins or any(_are(component.body, want, around) for want in found)
 
 
 def _have(needs: Sequence[Sequence[Foods]], wants: Sequence[Want], around: Around) -> bool:

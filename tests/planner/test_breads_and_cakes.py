@@ -1,0 +1,172 @@
+"""Breads, cakes, muffins and cookies: what soaks, covers or fills them is made apart and joins them in time."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, inside, motions
+
+pytestmark = pytest.mark.shared_data
+
+BATTER = ("flour:powder", "baking powder:powder", "salt:granulated", "butter:softened", "sugar:granulated",
+          "eggs:uncooked")  # fmt: skip
+DOUGH = ("flour:ground", "yeast:dried", "water:juice", "salt:ground")
+
+
+def heated(told) -> set[str]:
+    """Return all foods that are ever in the oven."""
+    found = [outputs for _, motion, outputs in told if motion == "bake"]
+    return {food for outputs in found for node in outputs for food in node.ingredients}
+
+
+@pytest.mark.parametrize(
+    "foods",
+    [
+        ("cream:juice", "powdered sugar:ground", "mascarpone:creamy", "ladyfinger:whole", "coffee:juice"),
+        ("angel food cake:whole", "pudding:creamy", "strawberry:sliced", "whipped topping:whipped"),
+        ("graham cracker crumb:crushed", "butter:melted", "cream cheese:creamy", "sugar:ground", "whipped topping:"),
+    ],
+)
+def test_a_cake_of_what_was_baked_before_sets_in_the_cold_though_no_title_says_so(steps, foods):
+    told = steps("cake", "", *foods)
+    assert "bake" not in motions(told)
+    assert "chill" in motions(told)
+
+
+def test_thick_milks_soak_a_cake_that_is_baked_though_no_title_says_so(steps):
+    told = steps("cake", "", "flour:ground", "egg:whole raw", "sugar:ground", "milk:juice", "evaporated milk:juice",
+                 "condensed milk:juice", "strawberry:sliced")  # fmt: skip
+    assert {"evaporated milk", "condensed milk", "strawberry"}.isdisjoint(inside(told, "bake"))
+
+
+@pytest.mark.parametrize("heading", ["filling", "buttercream"])
+def test_butter_and_fine_sugar_of_a_filling_are_beaten_and_jam_is_spread(steps, heading):
+    filling = (f"butter:softened:{heading}", f"icing sugar:powder:{heading}", "strawberry jam:jelly:filling")
+    told = steps("cake", "Victoria Sponge", *BATTER, *filling)
+    assert {"icing sugar", "strawberry jam"}.isdisjoint(inside(told, "bake"))
+    assert any({"icing sugar", "butter"} <= inputs and motion == "blend" for inputs, motion, _ in told)
+    assert next(n for n, one in enumerate(told) if "strawberry jam" in one[0]) > motions(told).index("cool down")
+
+
+def test_a_frosting_with_yolks_is_cooked(steps):
+    frosting = ("evaporated milk:liquid:frosting", "sugar:granulated:frosting", "egg yolks:uncooked:frosting",
+                "butter:unmelted:frosting", "coconut:flakes:frosting")  # fmt: skip
+    told = steps("cake", "Chocolate Cake", *BATTER, *frosting)
+    assert {"egg yolks", "coconut"} <= inside(told, "cook and stir")
+    assert "coconut" not in inside(told, "bake")
+
+
+def test_a_glaze_of_butter_and_rum_is_cooked_and_poured_on(steps):
+    glaze = ("butter:unmelted:glaze", "sugar:granulated:glaze", "water:liquid:glaze", "rum:liquid:glaze")
+    told = steps("cake", "Rum Cake", *BATTER, *glaze)
+    assert "rum" in inside(told, "cook and stir")
+    assert "rum" not in inside(told, "bake")
+
+
+def test_cream_of_a_topping_is_whipped_with_its_sugar_and_nothing_else(steps):
+    topping = ("heavy cream:liquid:topping", "sugar:granulated:topping", "cherries:canned:serving")
+    told = steps("cake", "Chocolate Cake", *BATTER, *topping)
+    whipped = [inputs for inputs, motion, _ in told if motion == "beat" and "heavy cream" in inputs]
+    assert "sugar" in whipped[-1]
+    assert not any("cherries" in inputs for inputs in whipped)
+    assert motions(told).index("bake") < first(told, "heavy cream", "beat")
+
+
+def test_sugar_and_juice_of_a_topping_come_on_the_cake_when_it_is_done(steps):
+    told = steps("cake", "Lemon Drizzle Cake", *BATTER, "lemon juice:juice:topping", "sugar:granulated:topping")
+    assert "lemon juice" in inside(told, "stir")
+    assert "lemon juice" not in inside(told, "bake")
+    assert "cook and stir" not in motions(told)
+
+
+def test_a_filling_with_egg_comes_on_the_batter_before_it_is_baked(steps):
+    filling = ("cream cheese:softened:filling", "sugar:granulated:filling", "egg yolk:uncooked:filling")
+    told = steps("muffin", "Pumpkin Muffins", *BATTER, *filling)
+    assert {"cream cheese", "egg yolk"} <= inside(told, "bake")
+    (whisked,) = [inputs for inputs, motion, _ in told if motion == "whisk" and "cream cheese" in inputs]
+    assert "egg yolk" in whisked
+
+
+@pytest.mark.parametrize("title", ["Coffee Cake", ""])
+def test_a_crumble_after_the_batter_is_rubbed_by_itself(steps, title):
+    told = steps("cake", title, *BATTER, "sour cream:creamy", "brown sugar:granulated", "flour:powder",
+                 "cinnamon:ground", "butter:cold")  # fmt: skip
+    whisked = {food for inputs, motion, _ in told if motion == "blend" for food in inputs}
+    assert "brown sugar" not in whisked
+    assert "brown sugar" in inside(told, "bake")
+
+
+def test_what_scones_are_glazed_with_is_brushed_on(steps):
+    told = steps("bread", "Scones", "self-raising flour:powder", "butter:cubed", "milk:liquid", "egg:beaten:glaze")
+    assert "egg" in first_inputs(told, "brush")
+    assert "egg" not in inside(told, "knead")
+
+
+def first_inputs(told, motion: str) -> set[str]:
+    """Return what goes in at the first such motion."""
+    return next(inputs for inputs, one, _ in told if one == motion)
+
+
+@pytest.mark.parametrize("title", ["French Toast", ""])
+def test_slices_are_dipped_in_egg_and_milk_and_fried(steps, title):
+    told = steps("bread", title, "bread:sliced", "egg:whole raw", "milk:juice", "vanilla:juice", "butter:creamy",
+                 "maple syrup:juice")  # fmt: skip
+    assert "bake" not in motions(told)
+    assert "vanilla" in first_inputs(told, "whisk")
+    assert motions(told).index("dip") < motions(told).index("flip") < first(told, "maple syrup", "pour")
+
+
+@pytest.mark.parametrize("title", ["Bruschetta", ""])
+def test_bread_is_toasted_before_tomatoes_lie_on_it(steps, title):
+    told = steps("bread", title, "baguette:sliced", "tomato:chopped", "basil:chopped", "garlic:minced",
+                 "olive oil:juice")  # fmt: skip
+    assert inside(told, "bake") == {"baguette"}
+
+
+def test_dough_that_nobody_kneads_is_stirred(steps):
+    assert "knead" not in motions(steps("bread", "No-Knead Bread", *DOUGH))
+
+
+def test_butter_sugar_and_cinnamon_that_follow_a_dough_are_rolled_up_in_it(steps):
+    told = steps("bread", "", *DOUGH, "sugar:ground", "butter:melted", "butter:softened", "brown sugar:ground",
+                 "cinnamon:ground", "powdered sugar:ground", "cream cheese:creamy")  # fmt: skip
+    kneaded = first_inputs(told, "knead")
+    assert {"cinnamon", "brown sugar", "cream cheese"}.isdisjoint(kneaded)
+    assert motions(told).index("roll") < motions(told).index("bake")
+    assert {"powdered sugar", "cream cheese"}.isdisjoint(inside(told, "bake"))
+
+
+def test_a_filling_is_closed_in_flat_bread_that_is_fried(steps):
+    told = steps("bread", "Aloo Paratha", "flour:powder", "water:liquid", "salt:granulated", "potatoes:boiled, mashed",
+                 "green chili:chopped", "ghee:creamy")  # fmt: skip
+    assert "green chili" not in first_inputs(told, "knead")
+    assert motions(told).index("fold and pinch") < motions(told).index("flip")
+
+
+def test_milk_is_hot_before_starch_makes_a_dough_of_it(steps):
+    told = steps("bread", "Pao de Queijo", "tapioca flour:powder", "milk:liquid", "oil:liquid", "eggs:uncooked",
+                 "cheese:grated")  # fmt: skip
+    assert first(told, "milk", "cook and stir") < first(told, "cheese", "mix") < motions(told).index("shape")
+
+
+def test_caramel_is_cooked_and_chocolate_melted_on_a_baked_base(steps):
+    told = steps("cookie", "Millionaire's Shortbread", "flour:plain", "sugar:granulated", "butter:softened",
+                 "butter:unmelted:caramel", "condensed milk:syrup:caramel", "chocolate:dark:topping")  # fmt: skip
+    assert {"condensed milk", "chocolate"}.isdisjoint(heated(told))
+    assert motions(told).index("bake") < first(told, "condensed milk", "cook and stir") < motions(told).index("chill")
+
+
+def test_cocoa_for_rolling_covers_truffles_that_have_their_form(steps):
+    told = steps("cookie", "Chocolate Truffles", "dark chocolate:chopped", "heavy cream:creamy", "cocoa:powder:rolling")
+    assert "cocoa" not in inside(told, "cook and stir")
+    assert motions(told).index("shape") < first(told, "cocoa", "dip")
+
+
+def test_eggs_set_in_the_cups_of_a_tin(steps):
+    told = steps("muffin", "Egg Muffins", "eggs:uncooked", "milk:liquid", "spinach:chopped", "cheddar:shredded")
+    assert "blend" not in motions(told)
+    assert any(node.label == "muffin pan" for inputs, motion, outs in told if motion == "bake" for node in outs)
+
+
+def test_flakes_of_salt_lie_on_a_bread_that_has_salt_in_it(steps):
+    told = steps("bread", "", *DOUGH, "rosemary:chopped", "salt:flakes")
+    assert motions(told).index("shape") < max(n for n, (inputs, _, _) in enumerate(told) if "salt" in inputs)
