@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import socket
 import stat
@@ -12,7 +13,9 @@ import time
 import psutil
 import pytest
 from server.live_server import START, kill, servers_of, up
+from typer.testing import CliRunner
 
+from foon_kg.cli.server import app
 from foon_kg.model.errors import GraphError
 from foon_kg.store.graph import Connection
 from foon_kg.store.graph.free_cypher import ask_freely
@@ -20,6 +23,18 @@ from foon_kg.store.server import connection_settings, ensure_running, status, st
 from foon_kg.store.server.process import is_free
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("local-server")]
+
+
+def test_start_tells_where_it_answers_and_never_the_password(place):
+    started = CliRunner().invoke(app, ["start", "--json", "--idle", "5"])
+    told = json.loads(started.stdout)
+    assert (told["running"], told["idle_minutes"], told["user"]) == (True, 5, "neo4j")
+    assert "starting Neo4j" in started.stderr
+    shown = CliRunner().invoke(app, ["start", "--quiet"])
+    assert told["uri"] in shown.stdout
+    assert "5 minutes" in shown.stdout
+    assert shown.stderr == ""
+    assert place.password_file.read_text() not in started.output + shown.output
 
 
 def test_it_answers_on_loopback_only_with_a_password_only_its_owner_can_read(place, ask):
@@ -71,7 +86,7 @@ def test_two_commands_that_start_it_at_once_end_with_one_server(place):
 def test_it_can_be_stopped_and_keeps_its_data_and_its_port(place, ask):
     settings = up()
     ask(settings, "MERGE (n:Kept {key: 1}) RETURN n.key")
-    assert stop() is True
+    assert json.loads(CliRunner().invoke(app, ["stop", "--json"]).stdout) == {"stopped": True}
     assert servers_of(place) == []
     assert status().running is False
     assert stop() is False

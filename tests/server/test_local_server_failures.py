@@ -51,8 +51,19 @@ def test_a_process_id_that_another_process_has_got_is_not_taken_for_the_server(p
         other.kill()
 
 
-def test_a_port_that_is_taken_is_said_and_the_next_start_works(place):
+HEEDING = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
+"""What lets a command be interrupted though the tests run in the background, where a shell has it ignore Ctrl-C."""
+
+
+def test_after_a_start_that_is_interrupted_and_one_whose_port_is_taken_the_next_one_works(place):
     stop()
+    *python, code = START
+    command = subprocess.Popen([*python, HEEDING + code], stderr=subprocess.DEVNULL)
+    while command.poll() is None and not servers_of(place):
+        os.sched_yield()
+    command.send_signal(signal.SIGINT)
+    assert command.wait() != 0
+    assert servers_of(place) == []
     with socket.create_server(("127.0.0.1", 0)) as other:
         port = other.getsockname()[1]
         with pytest.raises(ServerError, match=f"port {port} is in use") as caught:
@@ -94,22 +105,6 @@ def test_a_start_without_room_says_so_and_the_next_one_works(place):
     )
     assert done.returncode == 1
     assert done.stderr.startswith("no-space: "), done.stderr
-    assert servers_of(place) == []
-    up()
-
-
-HEEDING = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
-"""What lets a command be interrupted though the tests run in the background, where a shell has it ignore Ctrl-C."""
-
-
-def test_a_start_that_is_interrupted_leaves_no_server_behind(place):
-    stop()
-    *python, code = START
-    command = subprocess.Popen([*python, HEEDING + code], stderr=subprocess.DEVNULL)
-    while command.poll() is None and not servers_of(place):
-        os.sched_yield()
-    command.send_signal(signal.SIGINT)
-    assert command.wait() != 0
     assert servers_of(place) == []
     up()
 

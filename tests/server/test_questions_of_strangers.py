@@ -73,10 +73,14 @@ HUNGRY = (
 
 @pytest.fixture(scope="module")
 def bare(place):
-    """A Neo4j with the settings that it comes with."""
+    """A Neo4j with the settings that it comes with, but that it does not wait for idle threads when it stops."""
 
     def plain(home, port):
-        lines = {"server.bolt.listen_address": f"127.0.0.1:{port}", "server.http.enabled": "false"}
+        lines = {
+            "server.bolt.listen_address": f"127.0.0.1:{port}",
+            "server.http.enabled": "false",
+            "internal.server.bolt.thread_pool_shutdown_wait_time": "200ms",
+        }
         write_private(home.configuration / "neo4j.conf", "".join(f"{name}={value}\n" for name, value in lines.items()))
 
     with pytest.MonkeyPatch.context() as patch:

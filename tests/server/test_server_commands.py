@@ -42,23 +42,3 @@ def test_an_error_is_a_line_and_a_hint(foon, monkeypatch, tmp_path):
     assert str(tmp_path / "file" / "home") in answer.stderr
     assert "FOON_KG_HOME names another folder" in answer.stderr
     assert answer.stdout == ""
-
-
-@pytest.mark.slow
-@pytest.mark.xdist_group("local-server")
-def test_start_tells_where_it_answers_and_never_the_password(foon, tmp_path, monkeypatch):
-    monkeypatch.setattr("foon_kg.store.server.lifecycle._warm", lambda _settings: None)  # takes most of the time
-    started = foon("start", "--json", "--idle", "5")
-    try:
-        told = json.loads(started.stdout)
-        assert (told["running"], told["idle_minutes"], told["user"]) == (True, 5, "neo4j")
-        assert "starting Neo4j" in started.stderr
-        shown = foon("start", "--quiet")
-        assert told["uri"] in shown.stdout
-        assert "5 minutes" in shown.stdout
-        assert shown.stderr == ""
-        password = (tmp_path / "home" / "password").read_text()
-        assert password not in started.output + shown.output
-    finally:
-        stopped = foon("stop", "--json")
-    assert json.loads(stopped.stdout) == {"stopped": True}
