@@ -32,6 +32,7 @@ _HALVED = 1
 _WHOLE = {
     "cut": "in one piece", "peel": "in its skin", "shell": "in its shell", "core": "with its core",
     "stone": "with its stone", "husk": "in its husk", "choke": "with its choke",
+    "soak": "as hard as it was dried",
 }  # fmt: skip
 
 
@@ -111,6 +112,8 @@ def _untreated(part: Part) -> Iterator[Finding]:
     """Yield what a part of a food needed before anybody eats it and did not get, heat apart."""
     for treatment, level in sorted(part.food.owes.items()):
         if treatment not in _WHOLE or level is Level.ADVICE or _is_done(part, treatment):
+            continue
+        if treatment == "soak" and part.food.is_a(*word_list("is done without soaking")):
             continue
         spread = part.fine > 0 and treatment in word_list("is spread by cutting")
         minor = level is Level.MINOR and not spread

@@ -223,6 +223,7 @@ def whole(food, state="whole"):
         ("cheese", ["K2 (minor): cheese is in the dish in one piece"]),
         ("strawberry", ["K2 (minor): strawberry is in the dish with its core"]),
         ("almond", []),
+        ("wakame", ["K2 (minor): wakame is in the dish as hard as it was dried"]),
         ("spinach", []),
     ],
 )

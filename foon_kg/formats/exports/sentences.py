@@ -222,8 +222,9 @@ class _Reading:
         return [name for name in self._held_in(there) if name not in self._brought]
 
     def _in_bath(self, names: list[str]) -> str:
-        """Return foods with the water that they are cooked in: ``the rice in the water``."""
-        bath = [name for name in names if motions.heats(self._verb) and self._kitchen.is_free(name)]
+        """Return foods with the water that they are cooked or soaked in: ``the rice in the water``."""
+        wet = motions.heats(self._verb) or self._verb in word_list("soaks")
+        bath = [name for name in names if wet and self._kitchen.is_free(name)]
         foods = [name for name in names if name not in bath]
         return f"{the(foods)} in {the(bath)}" if bath and foods else the(names)
 

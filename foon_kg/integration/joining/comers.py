@@ -115,7 +115,8 @@ def in_parts(comers: Sequence[Comer], order: Sequence[str]) -> list[list[Comer]]
     for name in order:
         here = sorted((comer for comer in comers if comer.phase == name), key=lambda comer: comer.rank)
         if _makes_a_phase(here):
-            parts.append([*waiting, *here])
+            first, *others = _one_after_another(here) if name == FRIED else (here,)
+            parts += [[*waiting, *first], *others]
             waiting = []
         elif parts and not any(one.is_water for one in here):
             parts[-1] += here
@@ -124,6 +125,26 @@ def in_parts(comers: Sequence[Comer], order: Sequence[str]) -> list[list[Comer]]
     if waiting:
         parts.append(waiting)
     return parts
+
+
+def _one_after_another(fried: Sequence[Comer]) -> list[list[Comer]]:
+    """Return what is fried, parted: what its own fat runs out of, flesh that browns, and then the rest.
+
+    Fat and seasoning come with the first of these.
+    """
+    first = [one for one in fried if not one.is_solid]
+    solid = [one for one in fried if one.is_solid]
+    groups = [[one for one in solid if _turn(one) == turn] for turn in (0, 1, 2)]
+    groups = [group for group in groups if group]
+    return [[*first, *groups[0]], *groups[1:]]
+
+
+def _turn(comer: Comer) -> int:
+    """Return when of all that is fried something comes, counted from 0."""
+    kind = comer.facts.kind if comer.facts is not None else ""
+    if kind in word_list("is fried until its fat runs"):
+        return 0
+    return 1 if kind in word_list("is browned before the rest") else 2
 
 
 def _makes_a_phase(comers: Sequence[Comer]) -> bool:

@@ -11,7 +11,7 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench
 from foon_kg.integration.composing.coated import is_portion
-from foon_kg.integration.joining.course import HEATS, Course
+from foon_kg.integration.joining.course import HEATS, MIXES, Course
 from foon_kg.integration.joining.spots import Join, Spot
 from foon_kg.integration.preparing.preparation import POWDER, Want, owed
 from foon_kg.integration.preparing.preparer import Preparer
@@ -91,7 +91,7 @@ class Precooking:
             return _IN_WATER  # it would be brown outside and raw within
         if isinstance(stage, Phase) and self._takes_longer(want):
             return _IN_WATER  # the grain would be mush when it is done
-        return _IN_A_PAN if self._is_fried_whole(join) else ()
+        return _IN_A_PAN if self._is_fried_first(join) else ()
 
     def _to_be_divided(self, want: Want) -> tuple[str, ...]:
         """Return how a food is cooked that is cut or mashed then: as it is asked, else in water to be mashed."""
@@ -113,10 +113,22 @@ class Precooking:
         others = (join.want.facts for join in self.plan.joins if not join.want.facts.is_a(*slow))
         return any(facts.is_a(*word_list("is toasted")) for facts in others)
 
+    def _is_fried_first(self, join: Join) -> bool:
+        return self._is_fried_whole(join) or self._is_mixed_in_crisp(join)
+
     def _is_fried_whole(self, join: Join) -> bool:
         """Whether a portion comes to what is eaten with a fork, and nothing boils it there."""
         portion = self.plan.in_pieces and is_portion(join.want, self.known)
         return portion and not self.course.has_liquid([join.spot.stage])
+
+    def _is_mixed_in_crisp(self, join: Join) -> bool:
+        """Whether a food is stirred into a batter or dough, where it would stay limp and run with fat."""
+        stage = join.spot.stage
+        cold = not stage.does.isdisjoint(MIXES) and stage.does.isdisjoint(HEATS)
+        if not cold or not join.want.facts.is_a(*word_list("is cut once it is crisp")):
+            return False
+        baked = _is_done_there(join.spot, {"dry"}) and not _is_done_there(join.spot, {"shape"})
+        return baked and any(one.want.facts.is_a(*word_list("makes a batter")) for one in self.plan.joins)
 
     # --- where the dish cooks it ---
 

@@ -36,11 +36,12 @@ class Readying:
         method = self.alone.precooking.method(join)
         if method and self._is_cooked_in_its_shell(want):
             taken = self.bench.fetch(want.label, want.leaf, [want.number], want.storage)
-            self.ready[want.number] = self._cut_once_done(Ready(want, taken, whole_shell=True, cut_later=want.then))
+            shelled = Ready(want, taken, whole_shell=True, cut_later=want.then)
+            self.ready[want.number] = self._cut_once_done(join, shelled)
             return
         ready = self.alone.preparer.prepare(want, form, divided=not blended, alone=bool(method))
         if method:
-            self._cut_once_done(ready)
+            self._cut_once_done(join, ready)
         elif self.plan.by_bites and not blended:
             self.alone.preparer.cut_to_bites(ready)
         self.ready[want.number] = ready
@@ -110,9 +111,10 @@ class Readying:
         creamed = any(facts.is_a("sweet") for facts in beside) and not any(facts.is_a("flour") for facts in beside)
         return creamed and "mix" in stage.does
 
-    def _cut_once_done(self, ready: Ready) -> Ready:
-        """Have what is eaten in pieces cut when it is cooked."""
-        if self._is_cut_once_done(ready.want):
+    def _cut_once_done(self, join: Join, ready: Ready) -> Ready:
+        """Have what is eaten in pieces, or is mixed with others where it joins, cut when it is cooked."""
+        crisp = ready.want.facts.is_a(*word_list("is cut once it is crisp"))
+        if (crisp and join.spot.stage.does & MIXES) or self._is_cut_once_done(ready.want):
             self.alone.preparer.cut_once_done(ready)
         return ready
 

@@ -73,6 +73,8 @@ class Preparer(Treater):
             return
         if self._comes_in_a_liquid(want):
             self.drain(ready)
+        if _is_soaked_first(want):
+            self.soak(ready)
         self.advise(ready)
         self._divide(ready, cut, alone=alone)
         self.clean_inside(ready, due)
@@ -201,7 +203,8 @@ class Preparer(Treater):
 
     def _is_no_work_for_a_knife(self, want: Want) -> bool:
         """Whether a food is flesh that no knife cuts small, as its name says."""
-        hard = not word_list("is no work for a knife").isdisjoint(words(want.label))
+        told = {*words(want.label), *words(want.facts.taken_for)}
+        hard = not word_list("is no work for a knife").isdisjoint(told)
         return hard and want.facts.is_a(*word_list("is flesh"))
 
     def _is_still_whole(self, want: Want, state: str) -> bool:
@@ -212,6 +215,7 @@ class Preparer(Treater):
         plucked = plucked and state in word_list("is plucked off its stem")
         flesh = state in word_list("is still in one piece") and is_a(*word_list("is flesh"))
         small = state in word_list("is called small") and is_a(*word_list("is firm"))
+        small = small or _is_cut_though_dried(want)
         return flesh or plucked or small or state in word_list("is a piece to be cut")
 
     def _comes_in_pieces(self, want: Want, cut: str) -> bool:
@@ -247,10 +251,24 @@ class Preparer(Treater):
 
 def _is_served_cut(want: Want) -> bool:
     """Whether nobody serves a food in one piece, though it could be eaten so."""
+    if _is_cut_though_dried(want):
+        return True
     raw = want.facts.is_a("raw") and not want.facts.is_a(*word_list("is served in leaves"))
     return raw and "cut" in want.facts.owes
 
 
 def _is_cut_first(want: Want, *, alone: bool) -> bool:
     """Whether a food is not only cut when it is cooked ``alone``; what is toasted is split before."""
+    if alone and want.facts.is_a(*word_list("is cut once it is crisp")):
+        return False
     return not (want.cooked and alone) or want.facts.is_a(*word_list("is split"))
+
+
+def _is_soaked_first(want: Want) -> bool:
+    """Whether a food was dried so hard that a cook lets it soak before anything else is done with it."""
+    return want.facts.is_a(*word_list("is soaked first")) and not want.facts.is_a(*word_list("is done without soaking"))
+
+
+def _is_cut_though_dried(want: Want) -> bool:
+    """Whether a food was dried in pieces that are too large for a mouth."""
+    return want.facts.is_a(*word_list("is cut though it is dried")) and "cut" in want.facts.owes

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from foon_kg.food import Level
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import RefusedError, Stuff
+from foon_kg.integration.bench import RefusedError, Stuff, Vessel
 from foon_kg.integration.preparing.cutting import BOWL, STANDS_FOR, Cutter
 from foon_kg.integration.preparing.preparation import (
     BRINGS,
@@ -107,6 +107,7 @@ class Treater(Cutter):
     def trim(self, ready: Ready, state: str) -> None:
         """Cut off the ends of a food, which makes it ``state``, or assume that it was done where it is asked so."""
         ways = [way for motion in sorted(word_list("cuts off the ends")) for way in self.operators.ways_of(motion)]
+        ways = [way for way in ways if word_list("is no knife").isdisjoint(way[1])] or ways
         attested = self.bench.near_or_far(self.with_a_knife(ways, ready.want), ready.want.names, act=True)
         if attested is None:
             if ready.want.make == state:
@@ -124,6 +125,35 @@ class Treater(Cutter):
         if (earns == RINSED and self.rinse(ready, asked)) or self.worked_so(ready, asked):
             return
         self.assume(ready, asked)
+
+    def soak(self, ready: Ready) -> None:
+        """Let what is hard or shrunk because it was dried lie in water, and pour that off, where the FOON shows how."""
+        stuff, bench, foods = ready.stuff, self.bench, ready.want.names
+        soaks = bench.near_or_far(bench.ways_by(word_list("soaks")), foods)
+        if soaks is None or not set(stuff.states) & word_list("is soaked while it is so"):
+            return
+        bowl, pours = bench.vessel(BOWL), bench.require([("pour", ())], foods)
+        bench.bring([stuff], bowl, pours)
+        bench.bring([bench.fetch("water", ("liquid",), (), "faucet")], bowl, pours)
+        states = tuple(sorted({*stuff.states, *word_list("is so when it has soaked")}))
+
+        def swell() -> None:
+            stuff.states = states
+
+        bench.emit(soaks, [bowl, *bowl.contents], swell, [bowl, stuff])
+        self._pour_off(stuff, bowl)
+
+    def _pour_off(self, stuff: Stuff, bowl: Vessel) -> None:
+        """Pour a bowl into a strainer, in which a food stays."""
+        strainer = self.bench.vessel("strainer")
+        drains = self.bench.require([("drain", ()), ("pour", ())], stuff.foods)
+
+        def change() -> None:
+            bowl.contents.clear()
+            strainer.contents.append(stuff)
+            stuff.at = strainer
+
+        self.bench.emit(drains, [bowl, stuff, strainer], change, [strainer, stuff, bowl])
 
     def worked_so(self, ready: Ready, state: str) -> bool:
         """Bring a food into a state as the FOON shows it of such a food, without heat; return whether it does."""

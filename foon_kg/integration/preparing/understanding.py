@@ -193,10 +193,14 @@ def _misread(want: Want) -> Want | None:
     piece = sold in word_list("is one piece of it") and want.asked in word_list("is no state of a piece")
     if piece or want.asked in word_list("says nothing of one food"):
         return replace(want, leaf=(sold,) if sold else (), read_as=sold)
-    if want.asked in word_list("needs a machine") and want.facts.is_a("vegetable") and want.facts.is_a("raw"):
+    if not want.facts.is_a("vegetable"):
+        return None
+    state = ""
+    if want.asked in word_list("needs a machine") and want.facts.is_a("raw"):
         state = min(word_list("is made fine by hand"))
-        return replace(want, make=state, read_as=state)
-    return None
+    elif want.asked in word_list("is cut by hand into it") and sold != want.asked:
+        state = min(word_list("is so when it is cut into it"))
+    return replace(want, make=state, read_as=state) if state else None
 
 
 def _foamed(want: Want, before: Food) -> Want | None:
