@@ -127,7 +127,7 @@ class Treater(Cutter):
         self.assume(ready, asked)
 
     def soak(self, ready: Ready) -> None:
-        """Let what is hard or shrunk because it was dried lie in water, and pour that off, where the FOON shows how."""
+        """Let a food that is ``ready`` but dried hard lie in water, and pour that off, where the FOON shows how."""
         stuff, bench, foods = ready.stuff, self.bench, ready.want.names
         soaks = bench.near_or_far(bench.ways_by(word_list("soaks")), foods)
         if soaks is None or not set(stuff.states) & word_list("is soaked while it is so"):

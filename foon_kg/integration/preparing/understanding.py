@@ -193,14 +193,16 @@ def _misread(want: Want) -> Want | None:
     piece = sold in word_list("is one piece of it") and want.asked in word_list("is no state of a piece")
     if piece or want.asked in word_list("says nothing of one food"):
         return replace(want, leaf=(sold,) if sold else (), read_as=sold)
-    if not want.facts.is_a("vegetable"):
-        return None
-    state = ""
-    if want.asked in word_list("needs a machine") and want.facts.is_a("raw"):
-        state = min(word_list("is made fine by hand"))
-    elif want.asked in word_list("is cut by hand into it") and sold != want.asked:
-        state = min(word_list("is so when it is cut into it"))
+    state = _cut_as(want) if want.facts.is_a("vegetable") else ""
     return replace(want, make=state, read_as=state) if state else None
+
+
+def _cut_as(want: Want) -> str:
+    """Return how a vegetable is cut that is asked as a machine or a shop cuts it; ``""`` where it is not asked so."""
+    if want.asked in word_list("needs a machine") and want.facts.is_a("raw"):
+        return min(word_list("is made fine by hand"))
+    sticks = want.asked in word_list("is cut by hand into it") and want.facts.sold_as != want.asked
+    return min(word_list("is so when it is cut into it")) if sticks else ""
 
 
 def _foamed(want: Want, before: Food) -> Want | None:
