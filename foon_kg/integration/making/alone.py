@@ -235,8 +235,8 @@ class Alone:
         pan = bench.vessel("cooking pan")
         device = bench.place(pan, "stove", "on")
         runs = form_of(self.known, want.label, want.leaf) == "liquid"
-        fries = not runs and not want.facts.is_a("fat", *word_list("is fried until its fat runs"))
-        if fries and word_list("is done dry").isdisjoint(method):
+        needs_fat = not runs and not want.facts.is_a("fat", *word_list("is fried until its fat runs"))
+        if needs_fat and word_list("is done dry").isdisjoint(method):
             self.carry.add_fat(pan, self.plan)
         bench.switch(pan, device, on=True)
         self.carry.bring(ready, pan, None)
