@@ -114,18 +114,18 @@ class Precooking:
         return any(facts.is_a(*word_list("is toasted")) for facts in others)
 
     def _is_fried_first(self, join: Join) -> bool:
-        return self._is_fried_whole(join) or self._is_mixed_in_crisp(join)
+        return self._is_fried_whole(join) or self._is_fried_before_it_is_mixed(join)
 
     def _is_fried_whole(self, join: Join) -> bool:
         """Whether a portion comes to what is eaten with a fork, and nothing boils it there."""
         portion = self.plan.in_pieces and is_portion(join.want, self.known)
         return portion and not self.course.has_liquid([join.spot.stage])
 
-    def _is_mixed_in_crisp(self, join: Join) -> bool:
+    def _is_fried_before_it_is_mixed(self, join: Join) -> bool:
         """Whether a food is stirred into a batter or dough, where it would stay limp and run with fat."""
         stage = join.spot.stage
         cold = not stage.does.isdisjoint(MIXES) and stage.does.isdisjoint(HEATS)
-        if not cold or not join.want.facts.is_a(*word_list("is cut once it is crisp")):
+        if not cold or not join.want.facts.is_a(*word_list("is cut once it is fried alone")):
             return False
         baked = _is_done_there(join.spot, {"dry"}) and not _is_done_there(join.spot, {"shape"})
         return baked and any(one.want.facts.is_a(*word_list("makes a batter")) for one in self.plan.joins)

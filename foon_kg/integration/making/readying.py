@@ -113,8 +113,8 @@ class Readying:
 
     def _cut_once_done(self, join: Join, ready: Ready) -> Ready:
         """Have what is eaten in pieces, or is mixed with others where it joins, cut when it is cooked."""
-        crisp = ready.want.facts.is_a(*word_list("is cut once it is crisp"))
-        if (crisp and join.spot.stage.does & MIXES) or self._is_cut_once_done(ready.want):
+        first_fried = ready.want.facts.is_a(*word_list("is cut once it is fried alone"))
+        if (first_fried and join.spot.stage.does & MIXES) or self._is_cut_once_done(ready.want):
             self.alone.preparer.cut_once_done(ready)
         return ready
 

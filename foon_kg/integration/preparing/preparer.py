@@ -259,7 +259,7 @@ def _is_served_cut(want: Want) -> bool:
 
 def _is_cut_first(want: Want, *, alone: bool) -> bool:
     """Whether a food is not only cut when it is cooked ``alone``; what is toasted is split before."""
-    if alone and want.facts.is_a(*word_list("is cut once it is crisp")):
+    if alone and want.facts.is_a(*word_list("is cut once it is fried alone")):
         return False
     return not (want.cooked and alone) or want.facts.is_a(*word_list("is split"))
 

@@ -201,8 +201,8 @@ def _cut_as(want: Want) -> str:
     """Return how a vegetable is cut that is asked as a machine or a shop cuts it; ``""`` where it is not asked so."""
     if want.asked in word_list("needs a machine") and want.facts.is_a("raw"):
         return min(word_list("is made fine by hand"))
-    sticks = want.asked in word_list("is cut by hand into it") and want.facts.sold_as != want.asked
-    return min(word_list("is so when it is cut into it")) if sticks else ""
+    by_hand = want.asked in word_list("is cut by hand into it") and want.facts.sold_as != want.asked
+    return min(word_list("is so when it is cut into it")) if by_hand else ""
 
 
 def _foamed(want: Want, before: Food) -> Want | None:
