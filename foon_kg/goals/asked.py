@@ -28,14 +28,17 @@ _MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
 
 
 def weight(want: Want, known: Tables) -> float:
-    """Return how much a food matters to a dish: most what it is built on, least what only seasons it."""
+    """Return how much the food ``want`` matters to a dish, by the tables ``known``.
+
+    2 is what a dish is built on or what has to be cooked, 0.4 what only seasons it, 1 the rest.
+    """
     if want.facts.is_a(*CARRIES) or is_due(want, known):
         return 2.0
     return 0.4 if want.facts.is_a(*SEASONS) else 1.0
 
 
 def is_due(want: Want, known: Tables) -> bool:
-    """Whether somebody still has to cook a food before it is served."""
+    """Return whether somebody still has to cook the food ``want`` before it is served, by the tables ``known``."""
     return not owed(want, known).isdisjoint({"cook", "boil"})
 
 
@@ -60,7 +63,7 @@ class AskedFood:
 
     @classmethod
     def of(cls, want: Want, known: Tables) -> AskedFood:
-        """Return what is known of one food that is asked."""
+        """Return what the tables ``known`` say of ``want``, one food that is asked."""
         is_a = want.facts.is_a
         flesh = is_a(*_FLESH)
         fine = (known.state(want.asked).fine or 0) if want.asked else 0
@@ -204,7 +207,7 @@ class Asked:
         return found
 
     def has_a(self, name: str) -> bool:
-        """Whether one of its foods is of a kind, has a trait, or is called so."""
+        """Return whether one of its foods is of the kind ``name``, has it as a trait, or is called so."""
         found = self._is_there.get(name)
         if found is None:
             found = self._is_there[name] = any(want.facts.is_a(name) for want in self.wants)

@@ -70,9 +70,10 @@ def shortlisted(
 ) -> list[str]:
     """Return the keys of the frames that are worth a closer look, the best first, at most ``MOST_FITTED``.
 
-    They are those of the asked dish type, and of others those whose dish is heated last as some dish of that type is;
-    those first that have a place for most of what the recipe is built on. ``allowed`` says which goals, by their names,
-    may be taken.
+    They are those of the ``asked`` dish type, and of others those whose dish is heated last as some dish of that type
+    is; those first that have a place for most of what the recipe is built on. ``outlines`` tell of every frame what is
+    needed for that; ``likes`` gives the known foods that can stand for one, best first. ``allowed`` says which goals,
+    by their names, may be taken.
     """
     baked = any(dish.baked for dish in asked.dishes) and not asked.unbaked
     sought = []
@@ -92,7 +93,10 @@ def shortlisted(
 
 
 def fits(layouts: Iterable[Layout], asked: Asked, matcher: Matcher) -> list[Fit]:
-    """Return how well each frame suits, the best first."""
+    """Return how well each frame of ``layouts`` suits what is ``asked``, the best first.
+
+    ``matcher`` finds the places of foods.
+    """
     found = (_fit(recorded(layout, asked.known), asked, matcher) for layout in layouts)
     return sorted(found, key=lambda fit: fit.order)
 
@@ -104,7 +108,10 @@ def _fit(dish: Recorded, asked: Asked, matcher: Matcher) -> Fit:
 
 
 def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -> list[str]:
-    """Return what no dish of that type and title can do without, and the recipe has not."""
+    """Return what no dish of ``dish_type`` and ``title`` can do without, and the recipe has not, one reason each.
+
+    ``wants`` are the foods of the recipe; ``known`` are the tables that say what dishes need.
+    """
     lacked = [
         (dish.name, needs)
         for dish in known.dishes_named(dish_type, title)
@@ -133,7 +140,10 @@ def _shown(needs: Sequence[str]) -> str:
 
 
 def is_truly(fit: Fit, share: float = _MOST) -> bool:
-    """Whether a dish may be called as the recorded one is: it has most of its foods (``share``) but seasonings."""
+    """Return whether a dish may be called as the recorded one that it ``fit`` is.
+
+    It has most of that dish's foods but seasonings, at least a ``share`` (0 to 1) of them.
+    """
     taken = {id(join.slot) for join in fit.joins if join.slot is not None}
     foods = zip(fit.frame.line.all_slots(), fit.dish.foods, strict=True)
     slots = [id(slot) for slot, food in foods if not food.is_a(*SEASONS)]
@@ -142,6 +152,6 @@ def is_truly(fit: Fit, share: float = _MOST) -> bool:
 
 
 def has_mostly_its_foods(fit: Fit) -> bool:
-    """Return whether more than half of what is asked, but seasonings, has a place of its own in the recorded dish."""
+    """Return whether more than half of what is asked, but seasonings, has a place of its own in the dish of ``fit``."""
     body = [join.slot is not None for join in fit.joins if not join.want.facts.is_a(*SEASONS)]
     return 2 * sum(body) > len(body) or fit.dish.type_words.issuperset(fit.dish.words)

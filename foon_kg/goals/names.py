@@ -13,7 +13,10 @@ BY_TITLE, BY_TYPE = 1.0, 0.6
 
 
 def named_alike(label: str, dish_type: str, title: str) -> float:
-    """Return how much (0 to 1) a goal is called like the dish that is asked: by its type, better by its title."""
+    """Return how much (0 to 1) the goal ``label`` is called like the dish that is asked.
+
+    It is by the ``dish_type``, or better by the ``title``.
+    """
     own = words(label)
     if own and own[-1] in words(title):
         return BY_TITLE
@@ -21,7 +24,10 @@ def named_alike(label: str, dish_type: str, title: str) -> float:
 
 
 def is_baked(dish_type: str, title: str, known: Tables) -> bool:
-    """Whether a dish is called so that it comes out of an oven: roast chicken, a gratin; a soup never does."""
+    """Return whether a dish of ``dish_type`` is called by its ``title`` so that it comes out of an oven: a gratin.
+
+    A soup never does. ``known`` are the tables of dishes and motions.
+    """
     told = words(title)
     if not word_list("boils in the dish").isdisjoint(told):
         return False
@@ -34,7 +40,7 @@ def is_baked(dish_type: str, title: str, known: Tables) -> bool:
 
 @lru_cache(maxsize=1 << 12)
 def made_of_verb(word: str, known: Tables) -> tuple[Motion, ...]:
-    """Return the motions of whose verb a word is made: baked of bake, fried of fry."""
+    """Return the motions in the tables ``known`` of whose verb ``word`` is made: baked of bake, fried of fry."""
     return tuple(
         row
         for verb, row in known.motion_words.items()

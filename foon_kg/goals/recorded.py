@@ -22,7 +22,7 @@ _MOST = 0.6
 
 @lru_cache(maxsize=_MOST_KEPT)
 def recorded(layout: Layout, known: Tables) -> Recorded:
-    """Return what recipes are compared with of the dish of a layout."""
+    """Return what recipes are compared with of the dish of ``layout``, read by the tables ``known``."""
     return Recorded(layout, known)
 
 

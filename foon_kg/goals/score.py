@@ -52,7 +52,11 @@ _HEATED = 0.6
 
 
 def score(dish: Recorded, joins: Sequence[Join], asked: Asked, posts: Posts) -> float:
-    """Return how well a recorded dish suits a recipe whose foods join it so."""
+    """Return how well ``dish``, a recorded one, suits what is ``asked``, a recipe whose foods join it by ``joins``.
+
+    More is better; the number compares dishes for one recipe and has no scale. ``posts`` are counts of where foods join
+    in all recorded dishes, and beside which others.
+    """
     named = named_alike(dish.label, asked.dish_type, asked.title)
     found = _places(dish, joins, asked) - _spoilt(joins, asked, posts)
     found -= 0.4 * sum(way.isdisjoint(dish.done) for way in asked.ways)
@@ -158,12 +162,12 @@ def _same_foods(dish: Recorded, joins: Sequence[Join], asked: Asked) -> float:
 
 
 def unexplained(dish: Recorded, asked: Asked) -> tuple[str, ...]:
-    """Return the words of the goal's name that neither the title nor the type nor any food of the recipe explains."""
+    """Return the words of the name of ``dish`` that nothing of what is ``asked`` explains: title, type or a food."""
     return tuple(word for word in dish.words if word not in asked.explained and word not in dish.type_words)
 
 
 def missing_core(dish: Recorded, asked: Asked) -> tuple[str, ...]:
-    """Return what the goal's name promises and the recipe does not have."""
+    """Return what the name of ``dish`` promises and the recipe that is ``asked`` does not have."""
     named = dish.known.dishes_named(dish.label)
     found = [one.name for one in named for needs in one.needs if not any(map(asked.has, needs))]
     found += (word for word in dish.promised if word not in asked.food_words and not asked.has_a(word))

@@ -12,7 +12,7 @@ from foon_kg.integration.joining.spots import Join, Spot
 
 
 def vetoes(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
-    """Yield what a cook would never do with this recipe, and its foods would come to where they join like this."""
+    """Yield what a cook would never do: make what is ``asked`` as ``dish`` was made, its foods joined by ``joins``."""
     yield from _against_heat(dish, joins, asked)
     yield from _against_dressed(dish, joins, asked)
     yield from _against_work(dish, joins, asked)

@@ -43,7 +43,11 @@ Others = Callable[[str, str], Sequence[tuple[str, float]]]
 
 
 def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want], others: Others) -> FinalTree:
-    """Return what happened on ``bench`` until ``dish`` was made."""
+    """Return what happened on ``bench`` until ``dish`` was made.
+
+    ``cooking`` has what was assumed, ``wants`` are the foods that were asked, ``others`` names what else could stand
+    for one of them.
+    """
     units = tuple(map(_unit, bench.done))
     return FinalTree(
         bench.mention(dish).node,

@@ -29,7 +29,10 @@ class Methods:
 
     @classmethod
     def of(cls, units: Collection[KnownUnit], goals: Iterable[Goal], known: Tables | None = None) -> Methods:
-        """Learn from the units of a FOON, which say where they were seen, and from its goals."""
+        """Learn from the units of a FOON, which say where they were seen, and from its goals.
+
+        ``known`` are the tables, by default those of the package.
+        """
         known = known or tables()
         goals = tuple(goals)
         return cls(Operators(units, known), frames_from(units, goals, known), goals)
@@ -75,7 +78,10 @@ class Methods:
 
 
 def frames_from(units: Iterable[KnownUnit], goals: Iterable[Goal], known: Tables) -> tuple[Frame, ...]:
-    """Return the frames of all goals, each from every video that makes it."""
+    """Return the frames of all ``goals``, each from every video among ``units`` that makes it.
+
+    ``known`` are the tables.
+    """
     wanted: defaultdict[str, list[tuple[str, Goal]]] = defaultdict(list)
     for goal in goals:
         for video in goal.videos:

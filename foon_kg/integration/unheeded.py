@@ -17,7 +17,10 @@ from foon_kg.model.tree import TreeUnit
 def with_unheeded(
     tree: FinalTree, asked: Iterable[tuple[Named, str]], wants: Sequence[Want], known: Tables
 ) -> FinalTree:
-    """Return a tree that says of each word of its title if no step does what that asks for."""
+    """Return a tree that says of each word of its title if no step does what is ``asked`` by that.
+
+    ``wants`` are the foods of the recipe, ``known`` the tables.
+    """
     told = []
     for one, said in asked:
         names = _first_meant(one, wants)

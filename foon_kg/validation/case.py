@@ -167,11 +167,11 @@ class Case:
         return tuple(sorted(t for t, labels in self.foon.end_products.items() if self.goal.label in labels))
 
     def is_free(self, name: str) -> bool:
-        """Whether a food may be used unasked."""
+        """Return whether the food ``name`` may be used unasked."""
         return name in self.free
 
     def is_wanted(self, name: str) -> bool:
-        """Whether a food was asked for, in the same words or with a word more (broth, chicken broth)."""
+        """Return whether the food ``name`` was asked for, in the same words or with one more (broth, chicken broth)."""
         return name in self.required_names or any(_alike(name, other) for other in self.required_names)
 
 
@@ -183,12 +183,12 @@ def _alike(one: str, other: str) -> bool:
 
 
 def names(foods: Iterable[str]) -> str:
-    """Return names in a sentence, sorted, each once."""
+    """Return the names of ``foods`` in a sentence, sorted, each once."""
     return ", ".join(sorted(set(foods)))
 
 
 def was_taken_out(case: Case, food: str) -> bool:
-    """Whether a food that nobody eats gave its taste to something before it was taken out of it again."""
+    """Return whether ``food``, which nobody eats, gave its taste in ``case`` before it was taken out again."""
     given = word_list("is taken out of the dish")
     if not word_list("is drunk").isdisjoint(case.dish_types):
         given |= word_list("is taken out of what is drunk") | word_list("stays in a strainer")

@@ -27,7 +27,7 @@ _COMES_LAST = (
 
 
 def defined(case: Case) -> Iterator[Finding]:
-    """K5: what defines the named dish is in it, it is finished, and a hot dish was heated."""
+    """Yield the findings of K5 in ``case``: what defines the named dish is in it, finished, and hot where it is hot."""
     if case.goal is None:
         return
     if case.dish is None:
@@ -139,7 +139,10 @@ def _sets_cold(case: Case, dish: Dish) -> bool:
 
 
 def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
-    """Yield what a dish needs by its name (``texts`` are its type and title) and has not, and its missing namesakes."""
+    """Yield what the dish ``label`` of ``case`` needs by its name and has not, and its missing namesakes.
+
+    ``texts`` are its type and title.
+    """
     for dish in case.tables.dishes_named(label, *texts):
         for needs in dish.needs if not _is_asked(case, dish) else ():
             if not _has_one(case, needs):
@@ -154,7 +157,10 @@ def _is_asked(case: Case, dish: Dish) -> bool:
 
 
 def missing_namesakes(case: Case, label: str) -> Iterator[str]:
-    """Yield the foods that a dish is named after and has not; some are names of dishes too (chicken, tomato)."""
+    """Yield the foods that ``label``, a dish, is named after and ``case`` has not.
+
+    Some are names of dishes too (chicken, tomato).
+    """
     for dish in case.tables.dishes_named(label):
         own = [needs for needs in dish.needs if dish.name in {need.rpartition(":")[2] for need in needs}]
         if any(not _has_one(case, needs) for needs in own):
@@ -181,7 +187,10 @@ def _unfinished(case: Case) -> Iterator[Finding]:
 
 
 def namesakes(case: Case, label: str) -> Iterator[str]:
-    """Yield the foods that a dish is named after, the words of dish types and dishes apart; longer names win."""
+    """Yield the foods that ``label``, a dish, is named after, words of dish types and dishes apart; longer names win.
+
+    ``case`` has the tables that say what is a food.
+    """
     own, start = words(label), 0
     while start < len(own):
         for end in range(len(own), start, -1):
@@ -216,7 +225,10 @@ def _is_in(case: Case, food: str) -> bool:
 
 
 def asked(case: Case) -> Iterator[Finding]:
-    """K6: every asked food is in the dish, and mixed in where the rest is mixed; what is for serving is not cooked."""
+    """Yield the findings of K6 in ``case``: every asked food is in the dish, and mixed in where the rest is mixed.
+
+    What is for serving is not cooked.
+    """
     if case.dish is None:
         return
     yield from _unparted(case)

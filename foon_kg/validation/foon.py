@@ -24,7 +24,7 @@ class KnownFoon:
 
     @classmethod
     def of(cls, units: Iterable[KnownUnit], goals: Iterable[Goal] = ()) -> KnownFoon:
-        """Keep ``units`` sorted by key, so that no answer depends on their order."""
+        """Return a FOON of ``units`` and ``goals``. The units are sorted by key: no finding depends on their order."""
         return cls(tuple(sorted(units, key=lambda known: known.unit.key)), tuple(goals) or ())
 
     def at(self, level: Level) -> KnownFoon:

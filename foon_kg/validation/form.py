@@ -23,7 +23,7 @@ _SWITCHES = ("switch on", "switch off", "attach", "detach", "close", "uncover")
 
 
 def executable(case: Case) -> Iterator[Finding]:
-    """C1: every input is in the kitchen, or an output of an earlier unit."""
+    """Yield the findings of C1 in ``case``: every input is in the kitchen, or an output of an earlier unit."""
     tree = case.tree
     if tree.kitchen is None:
         return  # FOON text names no kitchen: it starts from its leaves, and C6 asks of what kind they are
@@ -43,9 +43,10 @@ def _why_missing(case: Case, node: ObjectNode, place: int) -> str:
 
 
 def goal(case: Case) -> Iterator[Finding]:
-    """C2: the last unit that touches food outputs the goal, called as such a dish is, with its namesakes in it.
+    """Yield the findings of C2 in ``case``: the last unit that touches food outputs the goal, named as such a dish is.
 
-    Without a recipe any dish type will do; where the goal itself was asked for (classic retrieval), any product.
+    Its namesakes are in it. Without a recipe any dish type will do; where the goal itself was asked for (classic
+    retrieval), any product.
     """
     tree = case.tree
     if tree.error is not None:
@@ -90,7 +91,10 @@ def _one(node: ObjectNode | None) -> tuple[ObjectNode, ...]:
 
 
 def purposeful(case: Case) -> Iterator[Finding]:
-    """C3: each unit leads to the goal or closes what the tree opened; none twice, none idle; all is off at the end."""
+    """Yield the findings of C3 in ``case``: each unit leads to the goal or closes what the tree opened.
+
+    None is there twice and none is idle; all is off at the end.
+    """
     seen: dict[tuple[object, ...], int] = {}
     last: dict[tuple[object, ...], int] = {}
     leads = _leads_to_the_end(case)
@@ -146,7 +150,10 @@ def _serves(happening: Happening, inside: set[int], *, before_the_end: bool) -> 
 
 
 def complete(case: Case) -> Iterator[Finding]:
-    """C4: every required food is in the goal by identity; it had its asked state, or it is told how that was read."""
+    """Yield the findings of C4 in ``case``: every required food is in the goal by identity.
+
+    It had its asked state, or it is told how that was read.
+    """
     if case.tree.error is not None:
         return
     shown = _shown_states(case)
@@ -189,7 +196,7 @@ def _shown_of_parts(case: Case, food: str, state: str, shown: Mapping[str, set[s
 
 
 def nothing_else(case: Case) -> Iterator[Finding]:
-    """C5: every food that is taken from the kitchen was asked for, or is free."""
+    """Yield the findings of C5 in ``case``: every food that is taken from the kitchen was asked for, or is free."""
     told: set[str] = set()
     for part in case.world.supply.parts:
         if part.name in told or part.food.is_a("made") or case.is_wanted(part.name) or case.is_free(part.name):
@@ -199,13 +206,16 @@ def nothing_else(case: Case) -> Iterator[Finding]:
 
 
 def free_foods(case: Case) -> tuple[str, ...]:
-    """Return what the setting of free foods let in (C5), sorted."""
+    """Return what the setting of free foods let into the tree of ``case`` (C5), sorted."""
     taken = {part.name for part in case.world.supply.parts}
     return tuple(sorted(name for name in taken if case.is_free(name) and name not in case.required_names))
 
 
 def kitchen(case: Case) -> Iterator[Finding]:
-    """C6: every leaf is as a kitchen has it; what is processed is assumed openly, where FOON cannot make it."""
+    """Yield the findings of C6 in ``case``: every leaf is as a kitchen has it.
+
+    What is processed is assumed openly, where FOON cannot make it.
+    """
     assumed = {entry.node for entry in case.tree.assumptions or ()}
     for node in case.tree.leaves:
         place, said = case.tree.takers[node][0], case.read(node)

@@ -19,7 +19,7 @@ _MILLS = ("grind", "blend", "mash", "grate", "squeeze")
 
 
 def picked_up(case: Case) -> Iterator[Finding]:
-    """Return a finding for each liquid that a step picks up with bare hands, though it leaves what it was in."""
+    """Yield a finding for each liquid of ``case`` that a step picks up with bare hands out of what it was in."""
     for happening in case.happenings:
         if happening.step.motion not in word_list("picks up") or _has_scoop(happening):
             continue
@@ -34,7 +34,7 @@ def _has_scoop(happening: Happening) -> bool:
 
 
 def too_hard(case: Case) -> Iterator[Finding]:
-    """Return a finding for each hard food that a knife is said to grind, and for what is too small for a grater."""
+    """Yield a finding for each hard food of ``case`` that a knife is said to grind, or that is too small to grate."""
     for happening in case.happenings:
         if happening.does("grate"):
             yield from _grated_small(happening)
@@ -52,7 +52,7 @@ def _ground_by_a_knife(happening: Happening, case: Case) -> Iterator[Finding]:
 
 
 def coarser(case: Case) -> Iterator[Finding]:
-    """Return a finding for each food that is as fine as powder, and of which a cut is said to make pieces."""
+    """Yield a finding for each food of ``case`` that is fine as powder, and of which a cut is said to make pieces."""
     for happening in case.happenings:
         if not happening.does("cut"):
             continue
@@ -69,7 +69,7 @@ def _finest(states: Iterable[str], case: Case) -> int:
 
 
 def broken_raw(case: Case) -> Iterator[Finding]:
-    """Return a finding for each firm raw food that bare hands are said to break into pieces."""
+    """Yield a finding for each firm raw food of ``case`` that bare hands are said to break into pieces."""
     for happening in case.happenings:
         if happening.step.motion not in word_list("is done by bare hands") or _has_tool(happening):
             continue
@@ -97,7 +97,7 @@ def _grated_small(happening: Happening) -> Iterator[Finding]:
 
 
 def used_up(case: Case) -> Iterator[Finding]:
-    """Return a W1 finding for each food that a step uses up in a vessel, and that a later one takes out of there."""
+    """Yield a finding (W1) for food of ``case`` that a step uses up in a vessel, and a later one takes out of there."""
     spent: dict[int, int] = {}
     for place, unit in enumerate(case.tree.units):
         taken = dict(_in_vessels(unit.step, case))

@@ -31,7 +31,7 @@ class Grounding(IntEnum):
 
 
 def honest(case: Case) -> Iterator[Finding]:
-    """C7: every entry is whole and used, and every unit whose evidence is another food says so."""
+    """Yield the findings of C7 in ``case``: each substitution is whole and used; evidence of another food is told."""
     entries = case.tree.substitutions or ()
     named = {singular(name) for node in case.tree.nodes for name in (node.label, *node.ingredients)}
     for place, entry in enumerate(entries):
@@ -85,7 +85,10 @@ def _is_used(case: Case, entry: Substitution, named: set[str]) -> bool:
 
 
 def grounded(case: Case) -> Iterator[Finding]:
-    """C8: the units that a unit names have its motion, its main food or one of its kind, and its tool, or say so."""
+    """Yield the findings of C8 in ``case``: what a unit names of the FOON is like it, or it says that it is not.
+
+    Such a unit has its motion, its main food or one of its kind, and its tool.
+    """
     for place, unit in enumerate(case.tree.units):
         if unit.seen_in is None or case.tree.level is not None:
             yield from _explained(case, place, unit)
@@ -153,7 +156,7 @@ def _nearest(case: Case, unit: TreeUnit) -> Grounding:
 
 
 def nearness(case: Case, unit: TreeUnit, source: FunctionalUnit) -> Grounding:
-    """Return how near a unit of the FOON is as evidence for a unit of the tree."""
+    """Return how near ``source``, a unit of the FOON, is as evidence for ``unit``, one of the tree of ``case``."""
     mine, theirs = _facts(case, unit).foods, _facts(case, source).foods
     if not mine or mine & theirs:
         return Grounding.FOOD

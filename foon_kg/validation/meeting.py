@@ -13,7 +13,10 @@ from foon_kg.world import Happening, Lump, Part, Vessel
 
 
 def hot_on_cold(case: Case) -> Iterator[Finding]:
-    """Yield a finding for what comes hot to leaves or to what is creamy in a cold dish: it did not cool before."""
+    """Yield a finding for what comes hot to leaves or to what is creamy in the dish of ``case``, a cold one.
+
+    It did not cool before.
+    """
     if not _is_dressed_cold(case):
         return
     cold = [part for part in case.parts if part.heated is None and part.food.is_a(*word_list("suffers from heat"))]
@@ -37,7 +40,7 @@ def _has_cooled(part: Part, other: Part) -> bool:
 
 
 def lumpy(case: Case) -> Iterator[Finding]:
-    """Yield a finding for each starch or flour that comes dry into a liquid that is hot: it makes lumps there.
+    """Yield a finding for each starch or flour of ``case`` that comes dry into a hot liquid: it makes lumps there.
 
     Not where it makes a batter or a dough with what is in there: eggs or what makes it rise.
     """

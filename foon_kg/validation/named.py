@@ -11,7 +11,10 @@ from foon_kg.world import Happening, Part
 
 
 def unheeded(case: Case) -> Iterator[Finding]:
-    """Yield a finding for each word of the title that names what no step does; minor where the tree says so itself."""
+    """Yield a finding for each word of the title of ``case`` that names what no step does.
+
+    It is minor where the tree says so itself.
+    """
     if case.recipe is None or not case.title or case.goal is None:
         return
     foods = [(wanted.object, case.tables.foods.food(wanted.object, (wanted.state,))) for wanted in case.required]

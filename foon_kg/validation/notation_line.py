@@ -65,7 +65,7 @@ class Line:
     at: int = 0
 
     def fail(self, what: str) -> NoReturn:
-        """Raise ReadError for this line."""
+        """Raise ReadError for this line; ``what`` is wrong with it, in a few words."""
         raise ReadError(f"{self.where}: {what}", hint=HINT)
 
     def next_is(self, *marks: str) -> bool:

@@ -28,7 +28,7 @@ T = TypeVar("T")
 
 
 def written_node(mention: Mention) -> str:
-    """Return a node as ``label#thing (states; {ingredients}; relation container#thing)``."""
+    """Return the node of ``mention`` as ``label#thing (states; {ingredients}; relation container#thing)``."""
     node = mention.node
     words = [", ".join(map(_written_state, node.states))] if node.states else []
     if node.ingredients:
@@ -56,7 +56,7 @@ def _written_thing(number: int | None) -> str:
 
 
 def read_node(line: Line) -> ObjectNode:
-    """Return the node that comes next, which has no number."""
+    """Return the node that comes next in ``line``; ReadError if it has a number, which only things of steps have."""
     mention = _read_mention(line)
     if (mention.thing, mention.container_thing) != (None, None):
         line.fail("only the things of steps have numbers")
@@ -119,7 +119,7 @@ def _read_all(line: Line, mark: str, read: Callable[[Line], T]) -> tuple[T, ...]
 
 
 def written_step(step: Step) -> str:
-    """Return ``inputs → MOTION → outputs``."""
+    """Return ``step`` as ``inputs → MOTION → outputs``."""
     return f"{_written_side(step.inputs)} → {written_motion(step.motion)} → {_written_side(step.outputs)}"
 
 
@@ -145,7 +145,7 @@ def _read_side(line: Line) -> tuple[Mention, ...]:
 
 
 def written_sightings(seen: Iterable[Sighting]) -> str:
-    """Return ``video place; video place``."""
+    """Return where a unit was ``seen`` as ``video place; video place``."""
     return "; ".join(f"{written_name(one.video)} {one.position}" for one in seen) or NOTHING
 
 
@@ -167,7 +167,7 @@ def _read_sighting(line: Line) -> Sighting:
 
 
 def written_kitchen(kitchen: Iterable[ObjectNode]) -> str:
-    """Return ``node + node``."""
+    """Return the nodes of ``kitchen`` as ``node + node``."""
     return _written_side(map(Mention, kitchen))
 
 
@@ -177,7 +177,7 @@ def read_kitchen(line: Line) -> tuple[ObjectNode, ...]:
 
 
 def written_asked(asked: Iterable[RequiredIngredient]) -> str:
-    """Return ``food (state); food (state)``."""
+    """Return the foods that were ``asked`` as ``food (state); food (state)``."""
     foods = (written_name(one.object) + (f" ({written_name(one.state)})" if one.state else "") for one in asked)
     return "; ".join(foods) or NOTHING
 
@@ -199,7 +199,7 @@ def _read_wanted(line: Line) -> RequiredIngredient:
 
 
 def written_substitution(entry: Substitution) -> str:
-    """Return ``kind (object): required like equivalent (confidence); alternative (confidence), …``."""
+    """Return ``entry`` as ``kind (object): required like equivalent (confidence); alternative (confidence), …``."""
     equivalent = NOTHING if "equivalent" in entry.untold else written_name(entry.equivalent)
     told = f"{written_name(entry.kind)} ({written_name(entry.object)}): {written_name(entry.required)} {LIKE} "
     told += equivalent + _written_confidence(entry)
@@ -244,7 +244,7 @@ def _read_confidence(line: Line) -> float | None:
 
 
 def written_assumption(entry: Assumption) -> str:
-    """Return ``node: why``."""
+    """Return ``entry`` as ``node: why``."""
     return f"{written_node(Mention(entry.node))}: {written_rest(entry.why)}"
 
 

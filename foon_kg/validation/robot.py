@@ -23,7 +23,7 @@ _WORKS_IN_PLACE = (
 
 
 def of_world(rule: str, case: Case) -> Iterator[Finding]:
-    """Return what the world itself could not do (W1 to W3, K4, K7)."""
+    """Yield the findings of ``rule`` in ``case`` that tell what the world itself could not do (W1 to W3, K4, K7)."""
     for happening in case.happenings:
         for mishap in happening.mishaps:
             if mishap.rule == rule:
@@ -31,7 +31,10 @@ def of_world(rule: str, case: Case) -> Iterator[Finding]:
 
 
 def idle(case: Case) -> Iterator[Finding]:
-    """W4: nothing moves in a step that moves; grinding without a mill; cut food that is not in the dish."""
+    """Yield the findings of W4 in ``case``: nothing moves in a step that moves, or cut food is not in the dish.
+
+    So is what is ground without a mill.
+    """
     yield from of_world("W4", case)
     for happening in case.happenings:
         if happening.does("move", "scatter") and _moves_nothing(happening):
@@ -102,7 +105,7 @@ def _moved_on(earlier: Happening, later: Happening) -> list[tuple[Lump, Vessel]]
 
 
 def never_lit(case: Case) -> Iterator[Finding]:
-    """Yield (K7) each vessel that is put over heat with food in it, and emptied before anything is turned on there."""
+    """Yield the findings of K7 in ``case`` for vessels that are put over heat and emptied before that is turned on."""
     lit: set[int] = set()
     for happening in case.happenings:
         lit |= {id(vessel) for vessel in (*happening.hot, *happening.heated)}
@@ -128,7 +131,10 @@ def _serves_nothing(place: Vessel, lump: Lump) -> bool:
 
 
 def order(case: Case) -> Iterator[Finding]:
-    """W5: food waits in a hot vessel; food is fried without fat; water is fetched while something waits in the heat."""
+    """Yield the findings of W5 in ``case``: food waits in a hot vessel, or is fried without fat.
+
+    Water that is fetched while something waits in the heat is another.
+    """
     waits = _Waits()
     for happening in case.happenings:
         for vessel in waits.too_long(happening):

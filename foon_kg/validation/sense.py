@@ -22,7 +22,10 @@ _LINED = ("greased", "paper", "foil", "floured")
 
 
 def sense(case: Case) -> Iterator[Finding]:
-    """K7: what no cook would do: dough of cooked pasta, fat through a strainer, a misread word."""
+    """Yield the findings of K7 in ``case``: what no cook would do.
+
+    That is dough of cooked pasta, fat through a strainer, a misread word.
+    """
     yield from of_world("K7", case)
     for happening in case.happenings:
         yield from _dough(happening)

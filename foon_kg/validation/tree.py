@@ -20,8 +20,9 @@ from foon_kg.model.tree_json import step_from_json
 def tree_from_json(value: object, where: str = "plan") -> TaskTree:
     """Return the tree of a plan result (docs/reference/result.md), or of a classic retrieval, which says its ``level``.
 
-    A plan that has an ``error`` is a tree without units. Raises ReadError where a field has the wrong type; what a
-    substitution or a step does not say is left open, and for the rules to judge.
+    ``value`` is the result as JSON is read, ``where`` what errors call it. A plan that has an ``error`` is a tree
+    without units. Raises ReadError where a field has the wrong type; what a substitution or a step does not say is left
+    open, and for the rules to judge.
     """
     fields = Fields(value, where)
     level = _level(fields) if "level" in fields else None
@@ -45,7 +46,10 @@ def tree_from_json(value: object, where: str = "plan") -> TaskTree:
 
 
 def tree_from_subgraph(subgraph: Subgraph, recipe: Recipe | None = None) -> TaskTree:
-    """Return the tree that FOON text tells: its goal is the last food that is marked with a dish class."""
+    """Return the tree that ``subgraph``, FOON text, tells: its goal is the last food that is marked with a dish class.
+
+    ``recipe`` is what it was made for, if that is known.
+    """
     units = [annotation.unit for annotation in subgraph.annotations]
     marked = [p.node for unit in units for p in unit.outputs if p.dish_type and not tables().utensil(p.node.label)]
     return TaskTree(subgraph.name, tuple(map(TreeUnit.of, units)), marked[-1] if marked else None, recipe)

@@ -34,7 +34,10 @@ class Bench(Handwork):
     # --- on and off it ---
 
     def place(self, vessel: Vessel, label: str, relation: str) -> Device:
-        """Stand a vessel on an appliance, put it in, or attach it; what is done with the heat is taken off before."""
+        """Stand a vessel on the appliance ``label``, put it in, or attach it, as ``relation`` says.
+
+        What is done with the heat is taken off before.
+        """
         device = self.device(label)
         self._clear(device, relation)
         attested = self.first([(motion, ()) for motion in _PLACES.get(relation, _ATTACHES)], foods_of(vessel))
@@ -101,7 +104,7 @@ class Bench(Handwork):
     # --- on and off ---
 
     def switch(self, vessel: Vessel | None, device: Device, *, on: bool) -> None:
-        """Turn an appliance on or off, a stove under one vessel."""
+        """Turn the appliance ``device`` on or off, a stove under one vessel."""
         number = vessel.number if vessel is not None and self.has_burners(device) else 0
         if device.always_on or (number in device.running) == on:
             return

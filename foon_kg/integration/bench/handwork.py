@@ -20,7 +20,10 @@ class Handwork(Steps):
     # --- one food ---
 
     def act(self, stuff: Stuff, attested: Attested, states: tuple[str, ...], board: str = "") -> None:
-        """Work on one food by hand: peel, cut, core it. ``board``: what it is worked on, where it lies nowhere yet."""
+        """Work on ``stuff``, one food, by hand as is ``attested``: peel, cut, core it. It has ``states`` then.
+
+        ``board``: what it is worked on, where it lies nowhere yet.
+        """
         if stuff.at is not None and stuff.at.storage and board:
             self._take_out(stuff)
         if board and stuff.at is None:
@@ -52,7 +55,10 @@ class Handwork(Steps):
     def part(
         self, whole: Stuff, labels: Sequence[str], states: tuple[str, ...], attested: Attested, place: str
     ) -> dict[str, Stuff]:
-        """Open a food that comes apart into what is called ``labels``, each in a ``place`` of its own; return these."""
+        """Open the food ``whole`` as is ``attested`` into what is called ``labels``, and return these.
+
+        Each has ``states`` then, and lies in a ``place`` of its own.
+        """
         store = whole.at
         parts: dict[str, Stuff] = {}
         places: list[Vessel] = []
@@ -83,9 +89,10 @@ class Handwork(Steps):
         onto: Sequence[Stuff] = (),
         leaves: bool = False,
     ) -> None:
-        """Bring foods of one place into or onto ``target``; ``onto`` is what there they are spread on.
+        """Bring ``stuffs``, foods of one place, into or onto ``target`` as is ``attested``.
 
-        ``leaves``: the step tells what stays behind, too. Raises :class:`RefusedError` where one of them is covered.
+        They have ``states`` then, if these are given. ``onto`` is what there they are spread on; ``leaves``: the step
+        tells what stays behind, too. Raises :class:`RefusedError` where one of them is covered.
         """
         source = stuffs[0].at
         for vessel in filter(None, (target, source)):
@@ -107,7 +114,10 @@ class Handwork(Steps):
         self.emit(attested, [target, *before, *stuffs, *onto], change, [target, *stuffs, *onto, *after])
 
     def bring_part(self, stuff: Stuff, target: Vessel, attested: Attested) -> Stuff:
-        """Bring some of a food that is in pieces to ``target`` and return that; the rest stays where it is."""
+        """Bring some of ``stuff``, a food in pieces, to ``target`` as is ``attested`` and return that.
+
+        The rest stays where it is.
+        """
         part = Stuff(stuff.label, self.number(), stuff.states, stuff.foods, stuff.wants, target)
         source: list[Thing] = [stuff.at] if stuff.at is not None else []
 
@@ -120,7 +130,10 @@ class Handwork(Steps):
     # --- all that is in a vessel ---
 
     def let_cool(self, vessel: Vessel, stuff: Stuff, foods: Sequence[str]) -> None:
-        """Let one thing of a vessel cool there, where the FOON shows how ``foods`` do; all stay what they are."""
+        """Let ``stuff``, one thing of a vessel, cool there, where the FOON shows how ``foods`` do.
+
+        All stay what they are.
+        """
         attested = self.cooling(foods)
         if attested is None:
             return
@@ -143,8 +156,9 @@ class Handwork(Steps):
     ) -> Stuff:
         """Work on all that is in a vessel, which is one thing called ``label`` from then on, and return that.
 
-        ``with_device``: what the vessel stands on takes part, and has to be on where this heats; ``extra``: so does
-        an appliance that is held in the hand. Raises :class:`RefusedError` where it is off.
+        It is done as is ``attested`` and has ``states`` then. ``with_device``: what the vessel stands on takes part,
+        and has to be on where this heats; ``extra``: so does an appliance that is held in the hand. Raises
+        :class:`RefusedError` where it is off.
         """
         motion = attested.way[0]
         heats = vessel.device is not None and not self.known.motion(motion).does.isdisjoint({"heat", "warm"})

@@ -27,7 +27,7 @@ class Inventory:
         return self._numbers
 
     def vessel(self, label: str, *, storage: bool = False) -> Vessel:
-        """Return a clean vessel from the cupboard."""
+        """Return a clean vessel called ``label`` from the cupboard; one for ``storage`` is what food is sold in."""
         return Vessel(label, self.number(), storage=storage)
 
     def device(self, label: str) -> Device:
@@ -38,7 +38,10 @@ class Inventory:
         return self.devices[label]
 
     def fetch(self, label: str, states: tuple[str, ...], wants: Iterable[int], storage: str) -> Stuff:
-        """Return a food as the kitchen has it, in what it is sold in (``""``: lying free)."""
+        """Return the food ``label`` in ``states`` as the kitchen has it, in what it is sold in.
+
+        That is ``storage`` (``""``: it lies free). ``wants`` are the numbers of the asked foods that it is for.
+        """
         stuff = Stuff(label, self.number(), states, (label,), frozenset(wants))
         row = self.known.utensil(storage) if storage else None
         if row is not None and row.keeps_food:
@@ -48,7 +51,7 @@ class Inventory:
         return stuff
 
     def has_burners(self, device: Device) -> bool:
-        """Whether an appliance is turned on for each of its vessels."""
+        """Return whether the appliance ``device`` is turned on for each of its vessels."""
         row = self.known.utensil(device.label)
         return row is not None and row.power == "vessel"
 

@@ -40,7 +40,10 @@ class Steps(Inventory):
     # --- evidence ---
 
     def attest(self, ways: Iterable[Way], foods: Sequence[str], *, act: bool = False) -> Attested | None:
-        """Return the nearest evidence among ``ways``; of equally near ones the first way's."""
+        """Return the nearest evidence among ``ways`` of doing so to ``foods``; of equally near ones the first way's.
+
+        ``act``: by a unit that changes one of them.
+        """
         best: Attested | None = None
         for way in ways:
             found = self.operators.attested(way, foods, self.likes, act=act, instead=self.instead)
@@ -51,19 +54,23 @@ class Steps(Inventory):
         return best
 
     def far(self, ways: Iterable[Way], foods: Sequence[str], *, act: bool = False) -> Attested | None:
-        """Return the evidence by the likest food of all, for what nothing nearer attests.
+        """Return the evidence among ``ways`` by the likest of all ``foods``, for what nothing nearer attests.
 
-        Where none is like it at all the way decides, and not which food is least unlike.
+        Where none is like it at all the way decides, and not which food is least unlike. ``act``: by a unit that
+        changes one.
         """
         found = (self.operators.farthest(way, foods, self.alike, act=act) for way in ways)
         return max(filter(None, found), key=lambda one: one.like[2] if one.like else 0.0, default=None)
 
     def near_or_far(self, ways: Sequence[Way], foods: Sequence[str], *, act: bool = False) -> Attested | None:
-        """Return :meth:`attest`, else :meth:`far`; ``None`` where nothing of this FOON is done in one of ``ways``."""
+        """Return :meth:`attest` of the same ``ways``, ``foods`` and ``act``, else :meth:`far`.
+
+        ``None`` where nothing of this FOON is done in one of them.
+        """
         return self.attest(ways, foods, act=act) or self.far(ways, foods, act=act)
 
     def require(self, ways: Iterable[Way], foods: Sequence[str], *, act: bool = False) -> Attested:
-        """Return :meth:`near_or_far`, or raise :class:`RefusedError`."""
+        """Return :meth:`near_or_far` of the same ``ways``, ``foods`` and ``act``, or raise :class:`RefusedError`."""
         ways = list(ways)
         found = self.near_or_far(ways, foods, act=act)
         if found is None:
@@ -72,7 +79,10 @@ class Steps(Inventory):
         return found
 
     def first(self, ways: Iterable[Way], foods: Sequence[str]) -> Attested:
-        """Return the evidence for the first way that has any; raises :class:`RefusedError`."""
+        """Return the evidence for the first of ``ways`` in which anything is done to ``foods``.
+
+        Raises :class:`RefusedError` where nothing is.
+        """
         ways = list(ways)
         for way in ways:
             found = self.near_or_far([way], foods)
@@ -99,7 +109,7 @@ class Steps(Inventory):
         *,
         motion: str = "",
     ) -> None:
-        """Let one step happen: the nodes of ``inputs`` before and of ``outputs`` after ``change``.
+        """Let one step happen as is ``attested``: the nodes of ``inputs`` before and of ``outputs`` after ``change``.
 
         ``motion`` is what is done, where the evidence shows another motion.
         """

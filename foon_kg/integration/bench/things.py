@@ -56,7 +56,7 @@ Shown = Thing | tuple[Device, Vessel]
 
 
 def is_flat(label: str) -> bool:
-    """Whether things lie on it and not in it."""
+    """Return whether things lie on what is called ``label``, and not in it."""
     return label.rpartition(" ")[2] in _FLAT
 
 
@@ -66,10 +66,10 @@ def foods_of(vessel: Vessel) -> tuple[str, ...]:
 
 
 def is_heated(states: Iterable[str], known: Tables) -> bool:
-    """Whether one of these states is only given by heat."""
+    """Return whether one of these states is only given by heat, by the tables ``known``."""
     return any(known.state(state).needs_heat for state in states)
 
 
 def fineness(states: Iterable[str], known: Tables) -> int:
-    """Return how fine the pieces of a food in these states are, 0 (whole) to 5 (powder)."""
+    """Return how fine the pieces of a food in these states are, 0 (whole) to 5 (powder), by the tables ``known``."""
     return max((known.state(state).fine or 0 for state in states), default=0)

@@ -21,12 +21,11 @@ _SMALL = 3
 def made_apart(
     line: Line, joins: Sequence[Join], told: Collection[str], known: Tables, *, grilled: bool
 ) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that lays on bread what it makes before; ``told`` are the words of the dish's type and title.
-
-    ``grilled``: all is fried together at last, so nothing that needs no cooking is fried before.
+    """Return a line that lays on bread what it makes before, and its ``joins``.
 
     A mass is mixed, shaped and fried; flesh in one piece is coated, where something coats it, and fried. Nothing
-    changes where there is no bread, or nothing raw to lie on it.
+    changes where there is no bread, or nothing raw to lie on it. ``told`` are the words of the dish's type and title,
+    ``known`` the tables. ``grilled``: all is fried together at last, so nothing that needs no cooking is fried before.
     """
     if not any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins):
         return coated_apart(line, joins)

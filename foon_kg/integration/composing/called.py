@@ -80,9 +80,10 @@ class Arranged(NamedTuple):
 
 
 def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
-    """Return how a dish is made: by the technique that it is called by, else after ``line`` as its name changes it.
+    """Return how a dish is made: by the technique that it is ``called`` by, else after ``line`` as its name changes it.
 
-    Its components are made beside that, and join it; what its title asks for besides is done at a stage of its own.
+    Its components and ``parts`` are made beside that and join it with ``joins``; what its title asks for besides is
+    done at a stage of its own. ``known`` are the tables.
     """
     made = _arranged(line, joins, parts, called, known)
     line, joins = with_sides(made.line, made.joins, called.sides, words(called.title), known)
@@ -148,7 +149,10 @@ def _stewed_or_smooth(line: Line, joins: Sequence[Join], called: Called, known: 
 
 
 def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
-    """Return how a dish is made whose kind says how its parts come together."""
+    """Return ``line`` and ``joins`` for a dish ``called`` so that its kind says how its parts come together.
+
+    ``known`` are the tables.
+    """
     made, found = _shaped(line, tuple(joins), called, known)
     if made is not line:
         return made, found

@@ -31,10 +31,10 @@ _BESIDE = word_list("is served with what is fried")
 def coated_alone(
     line: Line, joins: Sequence[Join], known: Tables, *, baked: bool = False
 ) -> tuple[Line, tuple[Join, ...]]:
-    """Return how coated flesh is made that is the dish: coated, fried, and baked under what melts on it.
+    """Return ``line`` and ``joins`` for coated flesh that is the dish: coated, fried, and baked under what melts on it.
 
     ``baked``: it is fried in the oven, as people say. Nothing changes where there is no such flesh, or where something
-    else has to be cooked too.
+    else has to be cooked too. ``known`` are the tables.
     """
     kinds = _COATED | word_list("is coated where it is rough") if any_is(joins, *_ROUGH) else _COATED
     flesh = _flesh_of_the_dish(line, joins, kinds, known)
@@ -126,7 +126,7 @@ def _is_done(want: Want) -> bool:
 
 
 def is_portion(want: Want, known: Tables) -> bool:
-    """Whether flesh comes in portions and is not asked cut."""
+    """Return whether ``want`` is flesh that comes in portions, by the tables ``known``, and is not asked cut."""
     whole = not want.make or known.state(want.make).fineness == 0
     minced = want.facts.is_a(*word_list("patties are made of"))
     return whole and not minced and not word_list("is a portion").isdisjoint(words(want.label))
@@ -141,7 +141,7 @@ def coated_apart(
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return a line and its joins such that raw flesh is coated by itself, where something coats it.
 
-    ``heats``: it is fried then, before it joins.
+    ``kinds`` are those of the flesh; ``heats``: it is fried then, before it joins.
     """
     flesh = _raw_flesh(joins, kinds)
     dry = [join for join in joins if join.want.facts.is_a(*_DRY)]

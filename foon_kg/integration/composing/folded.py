@@ -19,7 +19,10 @@ _TOP = replace(_BEAT, motion="", does=frozenset(), tools=(), vessel="plate", rel
 
 
 def is_folded(joins: Sequence[Join], named: Collection[str]) -> bool:
-    """Whether a dish that is called so, by these words, is folded over: not one that is baked, or thick with roots."""
+    """Return whether a dish ``named`` with these words, whose foods have these ``joins``, is folded over.
+
+    One that is baked, or thick with roots, is not.
+    """
     if word_list("is folded").isdisjoint(named) or not word_list("is not folded").isdisjoint(named):
         return False
     facts = [join.want.facts for join in joins]
@@ -28,7 +31,10 @@ def is_folded(joins: Sequence[Join], named: Collection[str]) -> bool:
 
 
 def folded(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that beats the eggs, fries what fills them, lets them set over it, and folds all of it."""
+    """Return a line that beats the eggs, fries what fills them, lets them set over it, and folds all of it.
+
+    The foods of ``joins`` are at its stages then.
+    """
     beat, pan, melt, fold, top = (replace(one) for one in (_BEAT, _PAN, _MELT, _FOLD, _TOP))
     setting = replace(_SET, adds=(Line((beat,)),))
     stages = (pan, setting, melt, fold, top)

@@ -35,7 +35,7 @@ _FINE = 3
 
 
 def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
-    """Whether a dish is called so that balls, patties or cakes are in it, and no bread around them."""
+    """Return whether ``dishes``, its names, have balls, patties or cakes, and ``joins`` no bread around them."""
     carried = any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins)
     other = any(dish.dressed or (dish.stacked and carried) for dish in dishes)
     return any(dish.formed for dish in dishes) and not other
@@ -44,11 +44,11 @@ def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
 def formed(
     line: Line, joins: Sequence[Join], told: frozenset[str], known: Tables, goal: str, *, baked: bool
 ) -> tuple[Line, tuple[Join, ...]]:
-    """Return how balls, patties or cakes are made that are the dish: mixed, shaped, cooked, and simmered in a sauce.
+    """Return ``line`` and ``joins`` for balls, patties or cakes that are the dish: mixed, shaped, cooked, and simmered.
 
-    ``told`` are the words of type and title, ``goal`` is what the recorded dish is called; ``baked``: it comes out of
-    an oven. Nothing changes where there is nothing to be shaped, or where balls are but a part of the dish: with pasta,
-    in a soup.
+    ``told`` are the words of type and title, ``goal`` is what the recorded dish is called, ``known`` are the tables;
+    ``baked``: it comes out of an oven. Nothing changes where there is nothing to be shaped, or where balls are but a
+    part of the dish: with pasta, in a soup.
     """
     mass = _Mass(joins, known)
     if not mass.is_the_dish or not word_list("boils in the dish").isdisjoint(told):
@@ -93,7 +93,10 @@ def _portions(told: frozenset[str]) -> str:
 
 
 def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
-    """Return how a dish is made in which balls are cooked with the rest: they are mixed and shaped before they join."""
+    """Return ``line`` and ``joins`` for a dish in which balls are cooked with the rest: shaped before they join.
+
+    ``known`` are the tables.
+    """
     mass = _Mass(joins, known)
     meets = mass.main[0].spot.stage if mass.main else None
     if meets is None or meets.does.isdisjoint(HEATS) or "dry" in meets.does:

@@ -15,7 +15,10 @@ from foon_kg.integration.teaching.frames import Asked, Line, Stage
 
 
 def as_named(line: Line, joins: Sequence[Join], asked: Iterable[Named], known: Tables) -> tuple[Line, tuple[Join, ...]]:
-    """Return how a dish is made that does all that its title asks for, where a stage of the table does that."""
+    """Return ``line`` and ``joins`` for a dish that does all that is ``asked`` by its title, where a stage does that.
+
+    ``known`` are the tables, whose techniques have these stages.
+    """
     joins = tuple(joins)
     for one in asked:
         if one.stage and not _is_done(one, joins, known):

@@ -32,10 +32,11 @@ class Part:
 def parts_of(
     wants: Sequence[Want], dish_type: str, title: str, repeated: Collection[str], known: Tables, *, strewn: bool = False
 ) -> tuple[tuple[Want, ...], tuple[Part, ...]]:
-    """Return what is baked of the foods of a recipe, and the parts that are put on it.
+    """Return what is baked of ``wants``, the foods of a recipe, and the parts that are put on it.
 
-    ``repeated`` are the names that a recipe lists twice: what of them belongs to a part is a second portion.
-    ``strewn``: what is strewn on it was found already.
+    The ``dish_type`` and ``title`` say what parts there are. ``repeated`` are the names that a recipe lists twice: what
+    of them belongs to a part is a second portion. ``strewn``: what is strewn on it was found already. ``known`` are the
+    tables.
     """
     if not any(dish.tin for dish in known.dishes_named(dish_type, title)):
         return tuple(wants), ()
@@ -159,7 +160,7 @@ def _motion(words_of: str) -> str:
 
 
 def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part], tin: str) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line with a stage for each part, and the joins with those of the parts."""
+    """Return a line with a stage for each part, and the joins with those of the parts; ``tin`` is what is baked in."""
     stages, found = list(line.stages), list(joins)
     for part in parts:
         stages, found = _on_base(stages, found, part, tin) if part.under else _put_on(stages, found, part)
@@ -220,7 +221,7 @@ def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tu
 
 
 def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that ends in the oven, with what is browned there on top, where the title asks for it.
+    """Return a line that ends in the oven, and its ``joins``, with what is browned there on top, if the title asks so.
 
     What boils in its dish never ends there, whatever else its title names: a baked potato soup is a soup.
     """

@@ -18,7 +18,10 @@ _MIXES = frozenset({"coat", "fetch", "mix", "move", "scatter", "whip"})
 
 
 def is_never_heated(dishes: Collection[Dish], joins: Sequence[Join], known: Tables) -> bool:
-    """Whether a dish is called so that it is cold, and nothing in it has to be cooked."""
+    """Return whether one of the ``dishes`` that it is called is cold, and nothing of ``joins`` has to be cooked.
+
+    ``known`` are the tables.
+    """
     raw = any({"cook", "boil"} & owed(join.want, known) or join.want.cooked for join in joins)
     return not raw and any(dish.heated is False and not dish.is_type for dish in dishes)
 
@@ -37,7 +40,7 @@ def unheated(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]
 
 
 def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line without its stages that mix cold what is fried then: noodles with a sauce, flesh with a liquid.
+    """Return a line without its stages that mix cold what is fried then, and its ``joins``: noodles with a sauce, say.
 
     A cook fries each in its turn, and tosses with it what was boiled. Nothing changes where eggs or flour bind it.
     """

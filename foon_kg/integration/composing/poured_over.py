@@ -32,7 +32,10 @@ _MIXING = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (),
 
 
 def is_poured_over(want: Want, slot: Slot | None = None) -> bool:
-    """Whether a food is what dressings are made of: it runs, it seasons, or only its juice is taken."""
+    """Return whether ``want`` is what dressings are made of: it runs, it seasons, or only its juice is taken.
+
+    ``slot`` is its place in the recorded dish, if it has one.
+    """
     if want.facts.kind in _SPRAYS:
         return False
     if want.facts.is_a(*_WHEN_FINE) and want.asked and (tables().state(want.asked).fine or 0) >= _FINE:

@@ -27,9 +27,10 @@ _SIMMERED = Stage((), "simmer", frozenset({"heat", "liquid"}), (), "pot", "on", 
 
 
 def blended_when_done(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
-    """Return how a dish with a liquid is cooked and blended, by the words of its title and its foods.
+    """Return ``line`` and ``joins`` for a dish with a liquid that is cooked and blended, by its foods and title.
 
-    One that is served cold, and of which nothing has to be cooked, is only blended.
+    ``told`` are the words of the title. One that is served cold, and of which nothing has to be cooked, is only
+    blended.
     """
     stages = list(line.all_stages())
     blends = any("blend" in stage.does for stage in stages)
@@ -63,7 +64,10 @@ def _is_to_be_smooth(joins: Sequence[Join], told: Collection[str]) -> bool:
 
 
 def is_stewed(title: str, dishes: Collection[Dish], joins: Sequence[Join], known: Tables) -> bool:
-    """Whether all is cooked together in a pot: a title ends so, or flesh in pieces is asked with a sauce."""
+    """Return whether all of ``joins`` is cooked in a pot: a title ends so, or flesh in pieces is asked with a sauce.
+
+    ``dishes`` are those that it is called, ``known`` the tables.
+    """
     head = list(itertools.takewhile(lambda word: word not in _JOINED, words(title)))
     other = any(dish.stacked or dish.dressed or dish.laid or dish.baked for dish in dishes)
     named = bool(head) and head[-1] in word_list("is cooked in one pot")
@@ -86,7 +90,7 @@ def _is_raw_flesh_in_pieces(join: Join, known: Tables) -> bool:
 
 
 def stewed(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that cooks all in a pot, each food in its phase, and serves it."""
+    """Return a line that cooks all of ``joins`` in a pot, each food in its phase, and serves it."""
     return _with_stages(joins, (replace(_SIMMERED),))
 
 

@@ -12,10 +12,10 @@ from foon_kg.integration.joining.spots import Join, any_is
 
 
 def is_soaked_up(joins: Sequence[Join], told: Sequence[str]) -> bool:
-    """Whether what swells in a dish soaks up what that is made of, so that nothing is boiled apart and drained.
+    """Return whether what swells in a dish soaks up what that is made of, so that nothing is boiled apart and drained.
 
     That is so where a title (``told`` are its words) says that all is made in one vessel, and with what is so small
-    that it needs no more than what it is asked with. A liquid that is bound to a sauce is none to cook in.
+    that it needs no more than what it is asked with. A liquid of ``joins`` that is bound to a sauce is none to cook in.
     """
     raw = [join.want.facts for join in joins if _is_raw_and_swells(join)]
     if not raw or any_is(joins, *word_list("binds a mass or a sauce")) or _is_baked(joins):
@@ -43,9 +43,9 @@ def _are_small(foods: Sequence[Food]) -> bool:
 
 
 def is_eaten_with_its_bath(joins: Sequence[Join], title: Sequence[str], dish_type: str) -> bool:
-    """Whether what is boiled by itself for other dishes is eaten with the liquid that it is asked with.
+    """Return whether what is boiled by itself for other dishes is eaten with the liquid that it is asked with.
 
-    Nothing of such a dish is bound, creamy or baked; a title, if there is one, has to say it.
+    Nothing in the ``joins`` of such a dish is bound, creamy or baked; a title, if there is one, has to say it.
     """
     said = not title or not word_list("is eaten with its bath").isdisjoint(title)
     if not said or dish_type not in word_list("may be eaten with its bath"):

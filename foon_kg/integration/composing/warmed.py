@@ -18,23 +18,23 @@ _SLICES = word_list("is a slice on a glass")
 
 
 def is_heated(line: Line) -> bool:
-    """Whether the video itself heats something on an appliance, or takes something that was heated."""
+    """Return whether the video of ``line`` itself heats something on an appliance, or takes what was heated."""
     heats = any("heat" in stage.does and stage.source == "heat" for stage in line.all_stages())
     return heats or any(slot.cooked for slot in line.all_slots())
 
 
 def can_be_warmed(operators: Operators) -> bool:
-    """Whether any video stirs something over the heat."""
+    """Return whether any video that ``operators`` are learnt from stirs something over the heat."""
     return (STIR.motion, STIR.tools) in operators.ways.get("heat", ())
 
 
 def can_be_blended(operators: Operators) -> bool:
-    """Whether any video blends something."""
+    """Return whether any video that ``operators`` are learnt from blends something."""
     return bool(operators.ways.get("blend"))
 
 
 def stirred(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that ends with stirring what is poured together in a glass, where nothing of it mixes them."""
+    """Return a line that ends with stirring what is poured together in a glass, where none of ``joins`` is mixed."""
     machine = any(not stage.does.isdisjoint(WORKS) and stage.source for stage in line.all_stages())
     if machine or _is_mixed(line, joins):
         return line, tuple(joins)
@@ -54,7 +54,10 @@ def _is_mixed(line: Line, joins: Sequence[Join]) -> bool:
 
 
 def for_many(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that ends in a jug where its title says that it is made for many: one glass does not hold it."""
+    """Return a line that ends in a jug where what is ``told``, the words of its title, says that it is for many.
+
+    One glass does not hold it. Its ``joins`` are returned with it.
+    """
     if word_list("is made for many").isdisjoint(told):
         return line, tuple(joins)
     stages = {id(stage): _in_a_jug(stage) for stage in line.stages}
@@ -71,13 +74,16 @@ def _in_a_jug(stage: Stage) -> Stage:
 
 
 def is_served_in(label: str) -> bool:
-    """Whether people drink out of a vessel."""
+    """Return whether people drink out of the vessel ``label``."""
     row = tables().utensil(label) if label else None
     return row is not None and row.group in word_list("is drunk from")
 
 
 def garnished(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line at whose end slices and leaves come on top of what is drunk, where nothing says they are in it."""
+    """Return a line at whose end slices and leaves come on top of what is drunk, and its ``joins``.
+
+    Nothing changes where what is ``told``, the words of type and title, says that they are in it.
+    """
     last = line.stages[-1]
     found = [join for join in joins if _is_garnish(join)]
     if not word_list("is muddled or blended").isdisjoint(told) or len(found) in {0, len(joins)}:

@@ -34,7 +34,10 @@ class Batter:
 
 
 def batter_of(spots: Sequence[Spot], known: Tables) -> Batter | None:
-    """Return where the batter of a frame comes together; ``None`` for a frame that bakes none."""
+    """Return where the batter of a frame, with these ``spots``, comes together; ``None`` for a frame that bakes none.
+
+    ``known`` are the tables.
+    """
     foods = _mixed(spots, known)
     if not foods or not _is_baked_unkneaded(spots):
         return None
@@ -79,25 +82,25 @@ def is_thin(batter: Batter) -> bool:
 
 
 def is_of_batter(wants: Iterable[Want]) -> bool:
-    """Whether foods make a batter, or a dough that nobody kneads: they set in the oven, and no yeast raises them."""
+    """Return whether ``wants`` make a batter, or a dough that nobody kneads: they set in the oven, without yeast."""
     facts = [want.facts for want in wants]
     makes = any(one.is_a(*word_list("makes a batter")) for one in facts)
     return makes and not any(one.is_a(*word_list("is no batter")) for one in facts)
 
 
 def is_of_dough(wants: Sequence[Want]) -> bool:
-    """Whether foods make a dough that rises before it is baked."""
+    """Return whether ``wants`` make a dough that rises before it is baked."""
     facts = [want.facts for want in wants]
     return any(one.is_a("flour") for one in facts) and any(one.is_a(*word_list("makes dough rise")) for one in facts)
 
 
 def binds(foods: Iterable[str], known: Tables) -> bool:
-    """Whether a mixture of foods sets when it is baked: there is flour, meal or dough in it."""
+    """Return whether a mixture of foods sets when it is baked: it has flour, meal or dough by the tables ``known``."""
     return any(known.foods.food(food).is_a(*word_list("sets when it is baked")) for food in foods)
 
 
 def as_batter(batter: Batter, joins: Sequence[Join], known: Tables) -> list[Join]:
-    """Return the joins with every food of a batter where foods of its part join."""
+    """Return the joins with every food of a batter where foods of its part join; ``known`` are the tables."""
     found = _with_its_fat(batter, [_in_its_part(batter, join, known) for join in joins])
     alone = [join for join in found if join.spot is batter.dry]
     if len(alone) == 1 and batter.dry is not batter.whole:

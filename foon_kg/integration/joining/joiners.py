@@ -64,7 +64,7 @@ class Joiner:
         return not needs.isdisjoint(place.needs) or (self.main and place.main)
 
     def at(self, spot: Spot) -> Join:
-        """Return its join at a stage at which it has no natural place."""
+        """Return its join at a stage, ``spot``, at which it has no natural place."""
         return Join(self.want, spot, NATURAL - 0.01)
 
 
@@ -78,7 +78,10 @@ class Joiners:
         self._kept: Recent[tuple[Want, frozenset[str]], Joiner] = Recent(MOST_JOINERS)
 
     def of(self, wants: Sequence[Want], known: Tables) -> dict[int, Joiner]:
-        """Return the foods of a recipe by their numbers. Of one name with two meanings each counts for both."""
+        """Return the foods of a recipe, ``wants``, by their numbers. One name with two meanings counts for both.
+
+        ``known`` are the tables that tell the meanings.
+        """
         meant: defaultdict[str, set[str]] = defaultdict(set)
         for want in wants:
             meant[singular(want.label)].add(want.facts.taken_for)

@@ -108,7 +108,7 @@ class Layout:
 
     @classmethod
     def of(cls, frame: Frame, known: Tables) -> Layout:
-        """Return the layout of a frame."""
+        """Return the layout of a frame, its foods read by the tables ``known``."""
         spots = tuple(spots_of(frame.line))
         places = tuple(_places(spots, frame.dish_type, known))
         drained = frozenset(id(spot) for spot in spots if _is_drained(spot, known))

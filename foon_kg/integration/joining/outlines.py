@@ -36,7 +36,7 @@ class Outline:
 
     @classmethod
     def of(cls, layout: Layout, known: Tables) -> Outline:
-        """Return the outline of a frame."""
+        """Return the outline of the frame that ``layout`` is of, read by the tables ``known``."""
         frame = layout.frame
         slots = list(frame.line.all_slots())
         return cls(
@@ -50,7 +50,10 @@ class Outline:
 
 
 def closing_heat(layout: Layout, known: Tables) -> tuple[str, str]:
-    """Return how a dish is heated last: what is done, and on what (``("", "")`` for a cold one)."""
+    """Return how the dish of ``layout`` is heated last: what is done, and on what (``("", "")`` for a cold one).
+
+    ``known`` are the tables.
+    """
     heats = [spot for spot in layout.spots if "heat" in spot.stage.does and not spot.side]
     if not heats:
         return ("", "")
@@ -88,7 +91,10 @@ class Outlines:
         return bool(self.all) if not dish_type else dish_type in self.dish_types or called
 
     def taught(self, dish_type: str, known: Tables) -> list[tuple[str, frozenset[str]]]:
-        """Return what the dishes of a type are called and made of, but those of a hot type that end as raw flour."""
+        """Return what the dishes of a type are called and made of, but those of a hot type that end as raw flour.
+
+        ``known`` are the tables that say what is hot.
+        """
         hot = any(dish.heated for dish in known.dishes_named(dish_type))
         flour = word_list("is raw flour") if hot else frozenset[str]()
         own = (one for one in self.all if one.dish_type == dish_type)

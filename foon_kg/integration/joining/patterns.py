@@ -39,13 +39,13 @@ def put_at(line: Line, joins: Sequence[Join], stage_of: Callable[[Join], Stage])
 
 
 def with_line(line: Line, meets: Stage, add: Line) -> tuple[Line, dict[int, Stage]]:
-    """Return a line at one of whose stages another one joins, and by identity what became of its stages."""
+    """Return a line at whose stage ``meets`` the line ``add`` joins, and by identity what became of its stages."""
     became: dict[int, Stage] = {}
     return _with_line(line, meets, add, became), became
 
 
 def line_with(line: Line, meant: Stage) -> Line:
-    """Return the line, or one that joins it, of which a stage is one."""
+    """Return the line, or one that joins it, of which the stage ``meant`` is one."""
     if any(stage is meant for stage in line.stages):
         return line
     lines = [add for stage in line.stages for add in stage.adds if isinstance(add, Line)]
@@ -53,7 +53,7 @@ def line_with(line: Line, meant: Stage) -> Line:
 
 
 def with_replaced(line: Line, old: Line, new: Line, became: dict[int, Stage]) -> Line:
-    """Return a line with one of its lines replaced; ``became`` gets, by identity, what its own stages are then."""
+    """Return a line in which the line ``old`` is ``new``; ``became`` gets, by identity, what its stages are then."""
     if line is old:
         return new
     stages = []

@@ -83,7 +83,10 @@ class _Vessel:
 
 
 def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
-    """Return the line of a dish and its plan with what stands over the heat in the order of a cook."""
+    """Return the line of a dish and its plan with what stands over the heat in the order of a cook.
+
+    ``known`` are the tables.
+    """
     phaser = _Phaser(plan, known)
     changed = phaser.line(phaser.tossed(line))
     joins = [phaser.moved(join) for join in plan.joins]

@@ -89,7 +89,10 @@ class Matcher:
         self._joiners = (joiners or Joiners()).of(wants, self.known)
 
     def joins(self, layout: Layout, wants: Sequence[Want], *, stacked: bool = False) -> tuple[Join, ...]:
-        """Return where each food joins; ``stacked``: on bread at the end, unless it has to be cooked."""
+        """Return where in ``layout`` each food of ``wants`` joins.
+
+        ``stacked``: on bread at the end, unless it has to be cooked.
+        """
         found = [self._kept_join(layout, want, stacked=stacked) for want in wants]
         if stacked:
             found = where_it_is_stacked(layout, found)

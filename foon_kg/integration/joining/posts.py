@@ -57,7 +57,10 @@ class Posts:
         return (kind, *sorted(f"trait:{trait}" for trait in (row.traits if row else ())), "")
 
     def likely(self, want: Want, post: Post, dish_type: str) -> float:
-        """Return how likely (0 to 1) a food of this kind joins at such a post, in this dish type most of all."""
+        """Return how likely (0 to 1) a food of the kind of ``want`` joins at such a post, most of all in this type.
+
+        The type is ``dish_type``, that of the recipe.
+        """
         key = (want.facts.kind, want.facts.traits, post, dish_type)
         found = self._kept.get(key)
         if found is None:
@@ -92,7 +95,7 @@ class Posts:
         return found
 
     def never(self, want: Want, work: str) -> bool:
-        """Whether no food of that kind was ever seen where such work is done."""
+        """Return whether no food of the kind of ``want`` was ever seen where such ``work`` is done."""
         counts = self.counts.get((want.facts.kind, ""))
         return counts is None or not counts[0][work]
 

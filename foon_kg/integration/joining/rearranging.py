@@ -14,7 +14,7 @@ _SLICES = word_list("carries what is stacked")
 
 
 def on_ready_dough(layout: Layout, joins: Sequence[Join]) -> list[Join]:
-    """Return ``joins`` with what a video works into its dough or lays on it first on what was bought instead."""
+    """Return ``joins`` with what the video of ``layout`` works into its dough, or lays on it first, on bought dough."""
     laid = layout.laid
     if laid is None:
         return list(joins)
@@ -40,7 +40,7 @@ def _joins_before(one: Join, other: Join) -> bool:
 
 
 def in_its_layer(layout: Layout, join: Join) -> Join:
-    """Return a join with its place among others that are laid on dough or bread."""
+    """Return a join with its place among others that are laid on the dough or bread of ``layout``."""
     if layout.laid is None or join.spot is not layout.laid:
         return join
     is_a = join.want.facts.is_a
@@ -54,7 +54,7 @@ def in_its_layer(layout: Layout, join: Join) -> Join:
 
 
 def without_lone(layout: Layout, joins: Sequence[Join]) -> tuple[Join, ...]:
-    """Return ``joins`` with a food at the dish itself that would be all that is left of a line made without heat.
+    """Return ``joins`` with a food at the dish itself that would be all that is left of a cold line of ``layout``.
 
     Nobody sets up a blender for some chives because a video made a pesto with it.
     """
@@ -89,7 +89,10 @@ def _at_what_takes(line: tuple[int, ...], layout: Layout, join: Join) -> Join:
 
 
 def where_it_is_stacked(layout: Layout, joins: Sequence[Join]) -> list[Join]:
-    """Return ``joins`` with bread that nobody heats any more below all the rest and on top of it, when that comes."""
+    """Return ``joins`` with bread that nobody heats any more below all the rest and on top of it, when that comes.
+
+    ``layout`` is that of the recorded dish.
+    """
     last = layout.spots[-1]
     cold = [join for join in joins if join.spot is not last and not join.spot.heats_later]
     if not only_carries(last.stage) or any(not join.want.facts.is_a(*_SLICES) for join in cold):

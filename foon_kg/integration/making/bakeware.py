@@ -24,7 +24,7 @@ class Bakeware:
         self.tin = tin
 
     def deep_for(self, label: str, wants: Sequence[Want]) -> str:
-        """Return in what foods are baked that come one by one into what is called ``label``: nothing runs on a tray."""
+        """Return in what ``wants`` are baked that come one by one into a ``label``: nothing runs on a tray."""
         row = self.known.utensil(label)
         bakes = row is not None and "bake" in row.can and is_flat(label)
         runs = any(want.facts.is_a("egg", "liquid") and not want.facts.is_a("fat") for want in wants)
@@ -33,7 +33,8 @@ class Bakeware:
     def tin_for(self, label: str, vessel: Vessel, *, in_oven: bool) -> str:
         """Return in what is baked what comes out of ``vessel``: in the dish's tin, and nothing wet on a tray.
 
-        ``label`` is what the video bakes it in. What was baked in the tin is not moved to other bakeware.
+        ``label`` is what the video bakes it in, ``in_oven`` whether that stands in an oven. What was baked in the tin
+        is not moved to other bakeware.
         """
         if not self._is_for_baking(label, in_oven=in_oven):
             return label

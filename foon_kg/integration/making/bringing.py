@@ -33,7 +33,10 @@ class Errand:
 
     @classmethod
     def of(cls, ready: Ready, target: Vessel, slot: Slot | None = None) -> Errand:
-        """Return the errand of a prepared food."""
+        """Return the errand of a food that is ``ready``, to the vessel ``target``.
+
+        ``slot`` is its place in the recorded dish, if it has one.
+        """
         return cls(ready.want, ready.stuff, target, slot)
 
     @property
@@ -82,7 +85,7 @@ class Bringing:
         self.known: Tables = bench.known
 
     def way(self, errand: Errand) -> Attested:
-        """Return how one food is brought; raises :class:`~foon_kg.integration.bench.RefusedError` where nothing does.
+        """Return how the one food of ``errand`` is brought; raises :class:`~bench.RefusedError` where nothing does.
 
         As the video of its slot has it comes first, then what its packet asks for, then what is usual for such food.
         """
@@ -178,6 +181,6 @@ def pours(motion: str) -> bool:
 
 @lru_cache(maxsize=1 << 12)
 def only_brings(known: Tables, motion: str) -> bool:
-    """Whether a motion brings a food somewhere and does nothing else to it."""
+    """Return whether a motion brings a food somewhere and does nothing else to it, by the tables ``known``."""
     does = known.motion(motion).does
     return bool(does) and does <= _MOVES and motion not in {"throw away", "remove", "measure", "scoop"}

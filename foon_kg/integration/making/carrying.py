@@ -31,7 +31,7 @@ class Carrier:
     # --- one food ---
 
     def bring(self, ready: Ready, vessel: Vessel, slot: Slot | None) -> None:
-        """Bring one food into a vessel: as the slot has it, where that suits its form, else as is usual for it."""
+        """Bring one food that is ``ready`` into a vessel: as ``slot`` has it, if that suits its form, or as usual."""
         if ready.whole_shell and not self.water.boils(ready, vessel):
             self.open_into(ready, vessel)
             return
@@ -66,11 +66,14 @@ class Carrier:
         return self.preparer.with_tool(attested) if attested.way[0] in word_list("is scooped by") else attested
 
     def bring_part(self, ready: Ready, vessel: Vessel) -> None:
-        """Bring some of a food that is in pieces into or onto a vessel."""
+        """Bring some of a food in pieces that is ``ready`` into or onto a vessel."""
         self.bench.bring_part(ready.stuff, vessel, self.bringing.way(Errand.of(ready, vessel)))
 
     def open_into(self, ready: Ready, vessel: Vessel) -> None:
-        """Open a food in its shell over a vessel; raises :class:`RefusedError` where nothing opens it."""
+        """Open a food in its shell that is ``ready`` over a vessel.
+
+        Raises :class:`RefusedError` where nothing opens it.
+        """
         attested = self.preparer.opening(ready.want)
         if attested is None:
             raise RefusedError(f"nothing opens {ready.want.label}")
@@ -81,7 +84,7 @@ class Carrier:
     # --- some of the fat ---
 
     def add_fat(self, vessel: Vessel, plan: Plan) -> bool:
-        """Bring some of the fat that was asked for into a pan; return whether there is any."""
+        """Bring some of the fat that was asked for into ``vessel``, a pan; return whether ``plan`` has any."""
         fats = [j.want for j in plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")]
         fats.sort(key=lambda want: not want.facts.is_a("liquid"))
         if not fats:
@@ -111,9 +114,9 @@ class Carrier:
     # --- all that is in a vessel ---
 
     def transfer(self, source: Vessel, target: Vessel, stage: Stage, *, whole: bool = False) -> None:
-        """Bring all that is in one vessel into another (as one piece: ``whole``); water runs off in a strainer.
+        """Bring all that is in ``source`` into ``target`` (as one piece: ``whole``), as ``stage`` has it.
 
-        Raises :class:`RefusedError` where nothing brings it.
+        Water runs off in a strainer. Raises :class:`RefusedError` where nothing brings it.
         """
         stuffs = list(source.contents)
         if solid := self._strained(stuffs, target):

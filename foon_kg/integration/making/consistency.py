@@ -27,7 +27,7 @@ SOLID = word_list("keeps its shape") | word_list("is one piece when it is done")
 
 
 def is_wet(stuff: Stuff, known: Tables) -> bool:
-    """Whether a mixture runs: it has liquid in it that was not baked away."""
+    """Return whether ``stuff``, a mixture, runs by the tables ``known``: it has liquid that was not baked away."""
     if not stuff.mixed or not word_list("keeps its shape").isdisjoint(stuff.states):
         return False
     if is_runny(stuff.label, stuff.states, stuff.foods, known):
@@ -76,7 +76,7 @@ def _has_liquid_left(foods: Sequence[Food]) -> bool:
 
 
 def is_liquid_or_soft(stuff: Stuff, known: Tables) -> bool:
-    """Whether a food runs or is scooped."""
+    """Return whether ``stuff`` runs or is scooped, by the tables ``known``."""
     return form_of(known, stuff.label, stuff.states) in {"liquid", "soft"}
 
 
@@ -84,9 +84,9 @@ def is_liquid_or_soft(stuff: Stuff, known: Tables) -> bool:
 
 
 def form_together(stuffs: Sequence[Stuff], known: Tables, *, whole: bool) -> str:
-    """Return how foods are moved out of their vessel at once: as ``liquid``, as ``pieces``, or ``whole``.
+    """Return how ``stuffs`` are moved out of their vessel at once: as ``liquid``, as ``pieces``, or ``whole``.
 
-    ``whole``: they are one piece, whatever they look like.
+    ``known`` are the tables; ``whole``: they are one piece, whatever they look like.
     """
     if whole or _is_shaped(stuffs, known):
         return "whole"
@@ -109,7 +109,7 @@ def _is_shaped(stuffs: Sequence[Stuff], known: Tables) -> bool:
 
 
 def is_uncut(stuff: Stuff, known: Tables) -> bool:
-    """Whether a food is flesh that nobody cut, and no stew that is called by it."""
+    """Return whether ``stuff`` is flesh that nobody cut, by the tables ``known``, and no stew that is called by it."""
     if stuff.mixed and _is_cut_in_liquid([known.foods.food(food) for food in stuff.foods]):
         return False
     if _is_breaded(stuff, known) or (not stuff.mixed and {"baked", "whole"} <= set(stuff.states)):
@@ -159,7 +159,10 @@ def _is_powder(stuff: Stuff, foods: Sequence[Food], known: Tables) -> bool:
 
 @lru_cache(maxsize=1 << 14)
 def is_laid(known: Tables, label: str, states: tuple[str, ...], *, flat: bool) -> bool:
-    """Whether a food comes somewhere piece by piece: what lies in one piece does, and slices onto what is ``flat``."""
+    """Return whether a food called ``label`` in ``states`` comes somewhere piece by piece, by the tables ``known``.
+
+    What lies in one piece does, and slices onto what is ``flat``.
+    """
     if known.foods.food(label, states).is_a(*word_list("carries what is stacked")):
         return True
     if not word_list("lies in one piece").isdisjoint(states):
@@ -170,7 +173,10 @@ def is_laid(known: Tables, label: str, states: tuple[str, ...], *, flat: bool) -
 
 @lru_cache(maxsize=1 << 14)
 def is_poured(known: Tables, label: str, states: tuple[str, ...]) -> bool:
-    """Whether nobody picks up a food piece by piece: it runs, or it is in small pieces."""
+    """Return whether nobody picks up a food called ``label`` in ``states`` piece by piece: it runs, or is small.
+
+    ``known`` are the tables.
+    """
     form = form_of(known, label, states)
     if form in {"liquid", "powder"} or fineness(states, known) >= _SMALL:
         return True

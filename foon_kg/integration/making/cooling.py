@@ -23,7 +23,10 @@ class Cooling:
         self.course = course
 
     def alone(self, join: Join, ready: Ready) -> None:
-        """Let a food cool that was cooked by itself, where it is asked so or joins what stays cold."""
+        """Let a food that is ``ready`` cool that was cooked by itself, if it is asked so or joins what stays cold.
+
+        ``join`` is where that is.
+        """
         asked = join.want.asked in word_list("is so by cooling")
         if asked or (self.plan.cooled and not join.spot.heats_later):
             self._cool(ready.stuff.at, ready.stuff)
@@ -31,7 +34,10 @@ class Cooling:
     def before(
         self, stage: Stage, vessel: Vessel | None, beside: Sequence[tuple[Line, Vessel]], later: Sequence[Stage]
     ) -> None:
-        """Let cool what is in ``vessel`` and what was made ``beside`` it, where nothing is heated any more."""
+        """Let cool what is in ``vessel`` and what was made ``beside`` it, where nothing is heated any more.
+
+        That is neither by ``stage`` nor by a ``later`` one.
+        """
         comers = len(self.course.ordered(stage)) + len(beside)
         if not self.plan.cooled or not comers or _is_any_hot((stage, *later)):
             return

@@ -21,7 +21,10 @@ class Dipping(Hands):
     """Dips the foods of one dish on a bench."""
 
     def is_for(self, stage: Stage, vessel: Vessel | None, comers: Comers) -> bool:
-        """Whether a stage turns what is in ``vessel``, or what joins, in a coat: there may be none for it."""
+        """Return whether a stage turns what is in ``vessel``, or a comer, in a coat: there may be none for it.
+
+        ``comers`` are what joins the stage.
+        """
         if stage.does != COATS or stage.motion not in word_list("is turned in by"):
             return False
         if vessel is not None:
@@ -30,7 +33,10 @@ class Dipping(Hands):
         return own or any(map(self._is_dipped, comers.lines))
 
     def done(self, stage: Stage, vessel: Vessel | None, comers: Comers) -> Vessel:
-        """Dip it and return what it lies on then; raises :class:`RefusedError` where a step cannot be done."""
+        """Dip what is in ``vessel``, or the ``comers`` of ``stage``, and return what it lies on then.
+
+        Raises :class:`RefusedError` where a step cannot be done.
+        """
         inside, dipped = ([vessel], []) if vessel is not None else self._dipped(comers)
         coat = self._coat(stage, without(comers.joins, dipped), without(comers.lines, inside))
         there = self._laid_out(stage, inside, dipped)

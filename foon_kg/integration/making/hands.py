@@ -25,5 +25,5 @@ class Hands:
         self.ready = ready
 
     def bring(self, join: Join, vessel: Vessel) -> None:
-        """Bring a food into a vessel as its slot has it, where that suits it."""
+        """Bring the food of ``join`` into a vessel as its slot has it, where that suits it."""
         self.carry.bring(self.ready[join.want.number], vessel, join.slot)

@@ -30,7 +30,7 @@ class Outcome:
     # --- what it is called ---
 
     def label(self, stage: Stage, vessel: Vessel, *, last: bool = False, main: bool = False) -> str:
-        """Return what the whole is called after a stage: as in the frame where that is true of what is in it.
+        """Return what the whole is called after a stage: as in the frame where that is true of what is in ``vessel``.
 
         ``main``: it is on the dish's own line; ``last``: and nothing works on it any more.
         """
@@ -76,7 +76,7 @@ class Outcome:
         return want.facts.is_a(*word_list("is boiled by itself")) and self.is_named_after(want.facts)
 
     def is_named_after(self, facts: Food) -> bool:
-        """Whether a food is what makes the dish what it is called: rice in a dish of rice."""
+        """Return whether a food of these ``facts`` is what makes the dish what it is called: rice in a dish of rice."""
         needs = {one for dish in self.known.dishes_named(self.plan.label) for need in dish.needs for one in need}
         return any(meets(one, facts, self.known) for one in needs)
 
@@ -203,10 +203,13 @@ class Outcome:
         return any(not self.known.foods.food(stuff.label).is_a("topping", "herb") for stuff in stuffs)
 
     def is_cooked_loose(self, stuff: Stuff) -> bool:
-        """Whether something was cooked, and not baked in one piece."""
+        """Return whether ``stuff`` was cooked, and not baked in one piece."""
         return "baked" not in stuff.states and is_heated(stuff.states, self.known)
 
 
 def says_raw(state: str, known: Tables) -> bool:
-    """Whether a state says that a food is as yet uncooked, or in one piece as it was bought."""
+    """Return whether a state says that a food is as yet uncooked, or in one piece as it was bought.
+
+    ``known`` are the tables of states.
+    """
     return known.state(state).half or not {"raw", "uncooked", "frozen"}.isdisjoint(state.split())

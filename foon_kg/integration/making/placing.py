@@ -157,7 +157,7 @@ class Placing(Hands):
             self.carry.water.boil(fresh)
 
     def grease(self, fresh: Vessel, vessel: Vessel) -> None:
-        """Grease a tin for batter or dough, with some of the fat that was asked for."""
+        """Grease the tin ``fresh`` for the batter or dough in ``vessel``, with some of the fat that was asked for."""
         row = self.known.utensil(fresh.label)
         if row is None or "bake" not in row.can or row.can & {"heat"}:
             return
@@ -174,7 +174,7 @@ class Placing(Hands):
     # --- what comes into it ---
 
     def ordered(self, stage: Stage, comers: Comers) -> list[Join | Vessel]:
-        """Return what joins a stage in its order: foods, and vessels in which other lines were made."""
+        """Return the ``comers`` of a stage in its order: foods, and vessels in which other lines were made."""
         found: list[Join | Vessel] = []
         waiting = list(comers.lines)
         heats = self._is_heated(stage)
@@ -193,7 +193,10 @@ class Placing(Hands):
             self.bench.switch(vessel, vessel.device, on=True)
 
     def into_device(self, vessel: Vessel, device: str, relation: str) -> None:
-        """Put a vessel in, on or under the appliance ``device``: an oven is on before, a machine gets its lid."""
+        """Put a vessel by ``relation`` (in, on, under) to the appliance ``device``.
+
+        An oven is on before, a machine gets its lid.
+        """
         row = self.known.utensil(device)
         if row is not None and row.source == "heat" and relation == "in":
             self.bench.switch(None, self.bench.device(device), on=True)
@@ -212,7 +215,7 @@ class Placing(Hands):
         return ""
 
     def is_lit_first(self, oven: str, stages: Sequence[Stage]) -> bool:
-        """Return whether an ``oven`` that is off is lit first of all: nothing waits before a dish comes into it."""
+        """Return whether an ``oven`` that is off is lit before all ``stages``: nothing waits before a dish comes in."""
         row = self.known.utensil(oven)
         if row is None or row.source != "heat" or oven in self.bench.devices:
             return False

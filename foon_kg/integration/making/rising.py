@@ -23,16 +23,16 @@ class Rising:
         self.plan = plan
 
     def rises(self, foods: Sequence[str]) -> bool:
-        """Whether such dough rises by itself, and is no flat bread."""
+        """Return whether dough of ``foods`` rises by itself, and is no flat bread."""
         return not self.plan.flat and self._has_leaven(foods)
 
     def _has_leaven(self, foods: Sequence[str]) -> bool:
         return any(self.known.foods.food(food).is_a(*word_list("makes dough rise")) for food in foods)
 
     def let_rise(self, vessel: Vessel, stages: Sequence[Stage]) -> None:
-        """Knead a dough that needs it and let it rise, where no stage does so: the video's dough was another one.
+        """Knead the dough in ``vessel`` if it needs that and let it rise, where no stage does so.
 
-        ``stages`` are this one and all that come later.
+        The video's dough was another one then. ``stages`` are this one and all that come later.
         """
         foods = foods_of(vessel)
         if not self._is_to_rise(vessel, stages):
@@ -66,7 +66,7 @@ class Rising:
             yield [("shape", ())], "shaped"
 
     def let_rise_again(self, vessel: Vessel) -> None:
-        """Let dough with yeast that rested and was shaped then rise where it is to be baked."""
+        """Let dough with yeast rise in ``vessel``, where it is to be baked, if it rested and was shaped then."""
         dough = next((stuff for stuff in vessel.contents if {"rested", "shaped"} <= set(stuff.states)), None)
         if dough is None or not self._is_to_rise_again(dough):
             return

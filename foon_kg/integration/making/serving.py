@@ -25,14 +25,17 @@ class Serving(Hands):
         return sorted(joins, key=lambda join: join.layer)
 
     def dress(self, vessel: Vessel, tops: Sequence[Join]) -> None:
-        """Mix what came to a dish that was done, and lay on it what only lies there."""
+        """Mix what came into ``vessel`` to a dish that was done, and lay the ``tops`` on it, which only lie there."""
         self.work.stir(vessel, self.plan.label)
         for join in tops:
             self.bring(join, vessel)
             self.work.name(vessel, self.plan.label)
 
     def is_dressed(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
-        """Whether foods come to a dish that is done which are no topping and that nothing mixes in any more."""
+        """Return whether ``joins`` bring to a dish that is done in ``vessel`` what is no topping and stays unmixed.
+
+        ``stage`` is where they join, ``later`` are those that come then.
+        """
         if not stage.does.isdisjoint(WORKS) or any(not one.does.isdisjoint(WORKS) for one in later):
             return False
         if vessel is not None and any("baked" in stuff.states for stuff in vessel.contents):
@@ -41,11 +44,11 @@ class Serving(Hands):
 
     @staticmethod
     def lies_on_top(join: Join) -> bool:
-        """Whether a food only lies on a dish that is done, or beside it."""
+        """Return whether the food of ``join`` only lies on a dish that is done, or beside it."""
         return join.on_top or join.want.facts.is_a("topping", "herb", *word_list("is served with what is fried"))
 
     def portions(self, stage: Stage, vessel: Vessel) -> str:
-        """Return what a mass is called when a stage shapes it, ``""`` where it stays in one piece."""
+        """Return what the mass in ``vessel`` is called when a stage shapes it, ``""`` where it stays in one piece."""
         if stage.motion not in word_list("shapes portions") or len(vessel.contents) != 1 or is_flat(vessel.label):
             return ""
         if stage.label in word_list("is in portions"):
@@ -56,7 +59,7 @@ class Serving(Hands):
         return min(word_list("is called so in portions")) if held and not in_one else ""
 
     def shaped(self, stage: Stage, vessel: Vessel, label: str) -> Vessel:
-        """Shape a mass to portions called ``label`` and return the plate on which they lie."""
+        """Shape the mass in ``vessel`` to portions called ``label``, as ``stage`` does; return the plate of them."""
         plate, (mass,) = self.bench.vessel("plate"), vessel.contents
         attested = self.work.ways.way(stage, vessel)
         if attested is None:
@@ -71,7 +74,7 @@ class Serving(Hands):
         return plate
 
     def served(self, vessel: Vessel, stage: Stage, stages: Stages) -> Vessel:
-        """Turn everything off and serve the dish, where nobody eats from what it is in; return what it is in then.
+        """Turn everything off and serve the dish, where nobody eats out of ``vessel``; return what it is in then.
 
         ``stage`` is the last one of ``stages``.
         """

@@ -14,7 +14,10 @@ class Smoothing(Hands):
     """Stirs on a bench what binds a sauce."""
 
     def made(self, join: Join, vessel: Vessel) -> Vessel | None:
-        """Stir a food smooth in a bowl of its own and return that, where it would come dry to a hot liquid."""
+        """Stir the food of ``join`` smooth in a bowl of its own and return that, if it would come dry into hot liquid.
+
+        ``vessel`` is what it joins; ``None`` is returned where it joins as it is.
+        """
         stuff = self.ready[join.want.number].stuff
         if not self._makes_lumps(join, vessel) or stuff.mixed or not word_list("runs").isdisjoint(stuff.states):
             return None

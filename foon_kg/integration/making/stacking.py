@@ -27,12 +27,15 @@ class Stacking(Hands):
     """Puts one dish together on a bench."""
 
     def is_put_together(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
-        """Whether this is where a stacked dish is put together: what it is stacked on joins, or what no video has."""
+        """Return whether a stacked dish is put together at ``stage``: what it is stacked on joins, or no video has it.
+
+        ``joins`` are the foods there, ``later`` the stages that come then.
+        """
         works = any(not one.does.isdisjoint(WORKS) for one in (stage, *later))
         return not works and any(join.slot is None or join.want.facts.is_a(*_SLICES) for join in joins)
 
     def stack(self, stage: Stage, vessel: Vessel | None, comers: Comers) -> Vessel:
-        """Put a dish together on a plate and return what it is on.
+        """Put a dish together on a plate and return what it is on: what is in ``vessel``, and the stage's ``comers``.
 
         Bread comes first and what is spread on it, then what was made and the rest, and bread again; a spread with
         pieces is mixed before. What is fried as a whole gets its fat in the pan.

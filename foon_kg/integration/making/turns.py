@@ -47,7 +47,7 @@ class Turn:
 
 
 def turns_of(line: Line, after: Sequence[Stage], *, main: bool) -> list[Turn]:
-    """Return the turns of a line, after which the stages in ``after`` come."""
+    """Return the turns of a line, after which the stages in ``after`` come; ``main``: it is the dish's own line."""
     stages = line.stages
     return [Turn(stage, (*stages[place:], *after), main) for place, stage in enumerate(stages, start=1)]
 
@@ -73,7 +73,7 @@ class Comers:
     lines: list[Vessel]
 
     def take(self, is_such: Callable[[Join], bool]) -> list[Join]:
-        """Take out the foods of which this is so, and return them."""
+        """Take out the foods of which ``is_such`` is so, and return them."""
         taken = list(filter(is_such, self.joins))
         self.joins = without(self.joins, taken)
         return taken

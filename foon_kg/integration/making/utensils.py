@@ -59,7 +59,10 @@ class Utensils:
         return next((other for other in used if other is not None and other.group == row.group), None)
 
     def vessel_label(self, stage: Stage, vessel: Vessel | None, device: str) -> str:
-        """Return which vessel a stage takes; ``vessel`` is the one in which the whole is as yet."""
+        """Return which vessel a stage takes; ``vessel`` is the one in which the whole is as yet.
+
+        ``device`` is the appliance that it comes to, if any.
+        """
         heater = self._heater(device)
         if self._is_vessel(stage.vessel) and self._can_stand(stage.vessel, heater, stage):
             return stage.vessel

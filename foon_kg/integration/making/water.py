@@ -48,7 +48,7 @@ class Water:
         self.bench.emit(boils, [pot, (device, pot), *pot.contents], change, [pot, *pot.contents])
 
     def boils(self, ready: Ready, vessel: Vessel) -> bool:
-        """Whether a food comes into a vessel to be boiled: into water with nothing but salt in it, or asked cooked."""
+        """Return whether a food that is ``ready`` comes into a vessel to be boiled: in salt water, or asked cooked."""
         foods = [self.known.foods.food(stuff.label) for stuff in vessel.contents]
         if not any(food.is_a("water") for food in foods):
             return False

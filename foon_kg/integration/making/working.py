@@ -32,7 +32,7 @@ class Worker:
     # --- told as one thing ---
 
     def name(self, vessel: Vessel, label: str) -> None:
-        """Let the last step tell what is in a vessel as one thing."""
+        """Let the last step tell what is in a vessel as one thing called ``label``."""
         parts = list(vessel.contents)
         if len(parts) == 1 and parts[0].label == label:
             return
@@ -82,7 +82,10 @@ class Worker:
         return toasted or facts.is_a("topping")
 
     def lies_on_what_is_done(self, stuff: Stuff, vessel: Vessel) -> bool:
-        """Whether a food that came to what was cooked in a vessel is one that nobody leaves on it: noodles, butter."""
+        """Return whether ``stuff`` that came to what was cooked in ``vessel`` is one that nobody leaves on it.
+
+        Noodles and butter are such.
+        """
         if is_flat(vessel.label) or self.plan.stacked or self.plan.laid:
             return False
         done = [one for one in vessel.contents if one.mixed and one is not stuff]
@@ -94,7 +97,7 @@ class Worker:
         return (named or facts.is_a(*word_list("is stirred into what is done"))) and not facts.is_a("topping")
 
     def toss(self, vessel: Vessel) -> None:
-        """Stir what came to a dish that is done into it."""
+        """Stir what came to a dish that is done in ``vessel`` into it."""
         self.stir(vessel, self.plan.label, tuple(sorted({*self.outcome.kept_states(vessel), "mixed"})))
 
     def stir(self, vessel: Vessel, label: str, states: tuple[str, ...] = ("mixed",)) -> None:
@@ -104,7 +107,10 @@ class Worker:
     # --- heated ---
 
     def work_each(self, vessel: Vessel, attested: Attested, states: tuple[str, ...], *, with_device: bool) -> None:
-        """Work on all foods of a vessel, each of which stays what it is."""
+        """Work on all foods of a vessel as is ``attested``, each of which stays what it is and has ``states`` then.
+
+        ``with_device``: what the vessel stands on takes part.
+        """
         stuffs = list(vessel.contents)
         device = vessel.device if with_device else None
         heats = device is not None and not self.known.motion(attested.way[0]).does.isdisjoint({"heat", "warm"})
@@ -142,7 +148,7 @@ class Worker:
         return fats if len(others) == 1 and others[0].mixed else []
 
     def heat_fat(self, vessel: Vessel) -> None:
-        """Melt the fat that is alone in a pan over the heat, or let it get hot, before anything else comes into it."""
+        """Melt the fat that is alone in ``vessel``, a pan over the heat, or let it get hot, before all else comes."""
         stuffs, device = list(vessel.contents), vessel.device
         if device is None or vessel.hot or not self._is_only_fat(stuffs):
             return
@@ -164,7 +170,7 @@ class Worker:
         return bool(stuffs) and all(fat)
 
     def cook_first_side(self, vessel: Vessel) -> None:
-        """Cook on one side what runs and lies in a pan over the heat: before that nobody can turn it over."""
+        """Cook on one side what runs and lies in ``vessel``, a pan over the heat; till then nobody can turn it over."""
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
         if vessel.device is None or vessel.relation != "on" or len(mixed) != 1:
             return

@@ -79,11 +79,11 @@ class Cutter:
         return len(way[1]) <= 1 and _divides(self.known, way[0])
 
     def is_asked_cut(self, want: Want) -> bool:
-        """Whether a food is asked in pieces that are still to be made."""
+        """Return whether ``want`` is asked in pieces that are still to be made."""
         return bool(want.make) and self.known.state(want.make).fineness > 0
 
     def way_to_cut(self, want: Want, state: str) -> Attested | None:
-        """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
+        """Return how ``want`` is brought into pieces of that state; ``None`` where nobody does so with a like food."""
         key = (want.label, want.facts, state)  # it is asked first whether there is a way, and then which
         if key not in self._cuts:
             self._cuts[key] = self._way_to_cut_so(want, state)
@@ -121,7 +121,10 @@ class Cutter:
         return [way for way in ways if grated and self.has_tool_to(_GRATE, way)]
 
     def with_a_knife(self, ways: list[Way], want: Want, state: str = "") -> list[Way]:
-        """Return the ways that divide a food: where it is firm, not by bare hands, nor with what is no knife."""
+        """Return those of ``ways`` that divide ``want`` to ``state``.
+
+        A firm food is not divided by bare hands, nor with what is no knife.
+        """
         if not _wants_a_knife(want):
             return ways if state in word_list("is so by bare hands") else _with_tools(ways) or ways
         bare, unfit = word_list("is done by bare hands"), word_list("is no knife")
@@ -148,7 +151,7 @@ class Cutter:
         return [way for way in ways if way[0] in fit]
 
     def usual_cut(self, want: Want) -> str:
-        """Return the state into which the FOON most often cuts such a food."""
+        """Return the state into which the FOON most often cuts such a food as ``want``."""
         if want.facts.is_a(*word_list("is grated where nothing is said")):
             return min(word_list("only grates"))
         counts: dict[str, int] = {}
@@ -165,12 +168,15 @@ class Cutter:
         return min(counts, key=lambda state: (-counts[state], state))
 
     def comes_so(self, want: Want, state: str) -> bool:
-        """Whether any video has this food, or one of its very kind, in such a state."""
+        """Return whether any video has the food ``want``, or one of its very kind, in such a state."""
         names = (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}")
         return any(state in self.operators.states.get(name, ()) for name in names)
 
     def with_a_fit_tool(self, name: str, ways: list[Way], want: Want) -> list[Way]:
-        """Return the ways to take off a skin with what does it: fingers, a peeler, or a knife where it is a rind."""
+        """Return those of ``ways`` to treat ``want`` as ``name`` says that take its skin off with what does it.
+
+        That is fingers, a peeler, or a knife where the skin is a rind.
+        """
         if _is_taken_off_by_hand(name, want):
             fit = _bare(ways)
         elif name != "peel" or want.facts.is_a(*word_list("is peeled by hand")):
@@ -182,7 +188,10 @@ class Cutter:
         return fit or ways
 
     def way_to_treat(self, want: Want, name: str) -> Attested | None:
-        """Return how hands peel, core or stone such a food; ``None`` where nobody does with a like one."""
+        """Return how hands peel, core or stone such a food as ``want``; ``None`` where nobody does with a like one.
+
+        ``name`` is what is to be done.
+        """
         ways = [way for one in (name, *STANDS_FOR.get(name, ())) for way in self.operators.ways.get(one, ())]
         unfit = NOT_BY_HAND | {"open" if name == "shell" else "separate"}  # nobody skims a skin; opened is not shelled
         ways = [way for way in ways if unfit.isdisjoint(self.known.motion(way[0]).does)]
@@ -193,7 +202,7 @@ class Cutter:
         return attested
 
     def with_tool(self, attested: Attested) -> Attested:
-        """Return a way of cutting with the tool that the motion most often has, where a video forgot to name it."""
+        """Return the way of cutting that is ``attested``, with the motion's usual tool if a video forgot to name it."""
         if attested.way[1]:
             return attested
         tool = next((way[1] for way in self.operators.ways_of(attested.way[0]) if way[1]), ())

@@ -18,7 +18,10 @@ from foon_kg.integration.teaching.operators import Operators
 
 
 def as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> Want:
-    """Return a food as the title has it, which says what the recipe left out: smoked salmon, mashed potato."""
+    """Return ``want`` as the title has it, which says what the recipe left out: smoked salmon, mashed potato.
+
+    ``known`` are the tables, ``operators`` what the FOON shows.
+    """
     told = words(title)
     if _is_called_mashed(want, told):
         return replace(want, then=min(word_list("is mashed so")))
@@ -73,12 +76,18 @@ def _before_it(want: Want, told: Sequence[str]) -> Iterator[str]:
 
 
 def is_bought_so(row: State, state: str, operators: Operators) -> bool:
-    """Whether no kitchen of this FOON makes a food so, which is fit to be eaten then."""
+    """Return whether no kitchen of this FOON, by its ``operators``, makes a food ``state``, fit to be eaten so.
+
+    ``row`` is what the tables say of the state.
+    """
     return "cook" in row.earns and not row.needs_heat and not any(True for _ in operators.making(state))
 
 
 def as_in_a_dish(wants: Iterable[Want], operators: Operators, title: str, dish_type: str) -> tuple[Want, ...]:
-    """Return the foods of a dish, each whole one as such a dish has it: of a whole lemon a cake wants the juice."""
+    """Return ``wants``, the foods of a dish, as such a dish has them: of a whole lemon a cake wants the juice.
+
+    The ``dish_type`` and ``title`` say what dish, ``operators`` what the FOON does with such foods.
+    """
     wants, known, told = tuple(wants), operators.known, frozenset(words(title))
     pressed = dish_type in word_list("is made with juice") and word_list("is made with slices").isdisjoint(told)
     bites = is_eaten_by_bites((*words(dish_type), *told), known.dishes_named(dish_type, title))

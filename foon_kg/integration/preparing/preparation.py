@@ -100,7 +100,10 @@ class Ready:
 
 
 def as_there(want: Want, ready_in: Callable[[str, str], str | None]) -> Want:
-    """Return a food as a named kitchen has it: in the asked state and in what a person said."""
+    """Return ``want`` as a named kitchen has it: in the asked state and in what a person said.
+
+    ``ready_in`` gives the state in which a food and a state stand ready, ``None`` where they do not.
+    """
     storage = ready_in(want.label, want.make) if want.make else None
     if storage is None:
         return want
@@ -108,33 +111,45 @@ def as_there(want: Want, ready_in: Callable[[str, str], str | None]) -> Want:
 
 
 def is_mill(way: Way, known: Tables) -> bool:
-    """Whether what is hard is ground in this way."""
+    """Return whether what is hard is ground in this way, by the tables ``known``."""
     return not _MILLS.isdisjoint(known.motion(way[0]).does)
 
 
 def wants_a_mill(state: str, facts: Food, known: Tables) -> bool:
-    """Whether a food is asked so fine that only a mill makes it, or a mortar: a knife does it where it is soft."""
+    """Return whether a food is asked in a ``state`` so fine that only a mill makes it, or a mortar.
+
+    A knife does it where the food is soft by its ``facts``. ``known`` are the tables.
+    """
     row = known.state(state)
     fine = row.fineness >= POWDER and row.earns == {"cut"}
     return fine and not facts.is_a(*word_list("is soft enough for a knife"))
 
 
 def as_mash(want: Want, known: Tables) -> Want:
-    """Return a food that is too hard to be shaped as it is: it is cooked and mashed before, unless it is asked cut."""
+    """Return ``want``, if it is too hard to be shaped as it is, as one that is cooked and mashed before.
+
+    That is not so where it is asked cut. ``known`` are the tables.
+    """
     whole = not want.make or not known.state(want.make).fine
     hard = want.facts.is_a(*word_list("is cooked and mashed to be shaped"))
     return replace(want, then=min(word_list("is mashed so"))) if hard and whole and not want.then else want
 
 
 def as_mixed(want: Want, known: Tables) -> Want:
-    """Return a food as it is mixed to be shaped: mashed where it is hard, torn where it is to soak."""
+    """Return ``want`` as it is mixed to be shaped: mashed where it is hard, torn where it is to soak.
+
+    ``known`` are the tables.
+    """
     whole = not want.make or known.state(want.make).fineness <= 1
     torn = whole and want.facts.kind in word_list("is torn to be soaked")
     return replace(want, make="torn") if torn else as_mash(want, known)
 
 
 def owed(want: Want, known: Tables, level: Level = Level.MINOR) -> set[str]:
-    """Return what a cook still has to do to the food as it is sold: all that is fatal, and minor where asked."""
+    """Return what a cook still has to do to ``want`` as it is sold: what is fatal, and minor if ``level`` is that.
+
+    ``known`` are the tables.
+    """
     levels = {Level.FATAL} if level is Level.FATAL else {Level.FATAL, Level.MINOR}
     earned = frozenset().union(*(known.state(state).earns for state in want.leaf))
     return {name for name, how in want.facts.owes.items() if how in levels} - earned

@@ -22,14 +22,20 @@ from foon_kg.world.things import Vessel
 def frame_of(
     units: Sequence[FunctionalUnit], goal: ObjectNode, dish_type: str, video: str, known: Tables | None = None
 ) -> Frame | None:
-    """Return how ``units``, those of one video in their order, make ``goal``; ``None`` where it is not followed."""
+    """Return how ``units``, those of one video in their order, make ``goal``; ``None`` where it is not followed.
+
+    ``dish_type`` is that of the goal; ``known`` are the tables, by default those of the package.
+    """
     return _Derivation(units, known or tables()).frame(goal, dish_type, video)
 
 
 def frames_of(
     units: Sequence[FunctionalUnit], goals: Iterable[tuple[ObjectNode, str]], video: str, known: Tables | None = None
 ) -> tuple[Frame, ...]:
-    """Return how one video makes each of its ``goals`` (node, dish type)."""
+    """Return how one video, by its ``units`` in their order, makes each of its ``goals`` (node, dish type).
+
+    ``known`` are the tables, by default those of the package.
+    """
     derivation = _Derivation(units, known or tables())
     found = (derivation.frame(goal, dish_type, video) for goal, dish_type in goals)
     return tuple(frame for frame in found if frame is not None)

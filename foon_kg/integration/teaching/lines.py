@@ -44,7 +44,10 @@ class Cluster:
         return self.place.vessel if self.place is not None else ""
 
     def slot(self, parts: dict[int, Part], known: Tables, brought: Brought) -> Slot:
-        """Return it as the slot of one food, the first of its ``parts``, that was ``brought`` so."""
+        """Return it as the slot of one food, the first of its ``parts``, that was ``brought`` so.
+
+        ``known`` are the tables.
+        """
         part = parts[min(self.parts)]
         states = self.place.states if self.place is not None else part.states
         kind = known.foods.food(part.name, part.states).kind
@@ -78,7 +81,8 @@ def distinct(
 ) -> list[Slot | Line]:
     """Return ``adds`` without foods that are only the name of what is made here, and portions that come together.
 
-    A dish may be called like a food of it (black beans): that of the names of ``fetched`` foods is no mere name.
+    ``stages`` are those that make it. A dish may be called like a food of it (black beans): that of the names of
+    ``fetched`` foods is no mere name. ``known`` are the tables.
     """
     lines = [add for add in adds if isinstance(add, Line)]
     inside = {slot.food for stage in stages for slot in stage.slots}.union(*map(_foods, lines))

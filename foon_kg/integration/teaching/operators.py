@@ -235,10 +235,10 @@ class Operators:
         return (self.acts if act else self.evidence).get(way)
 
     def farthest(self, way: Way, foods: Sequence[str], alike: Alike, *, act: bool = False) -> Attested | None:
-        """Return the evidence for the likest food to which ``way`` is done, be it not fairly like.
+        """Return the evidence for the likest food to which ``way`` is done, be it not fairly like one of ``foods``.
 
-        Where none is alike at all (:data:`LIKE_AT_ALL`) the motion alone is attested, by the food to which it is done
-        most often, and no food is named that stands for another.
+        Where none is ``alike`` at all (:data:`LIKE_AT_ALL`) the motion alone is attested, by the food to which it is
+        done most often, and no food is named that stands for another. ``act``: to a food that it changes.
         """
         evidence = self._evidence(way, act=act)
         if evidence is None or not foods or not evidence.foods:
@@ -270,12 +270,12 @@ class Operators:
         return {motion: tuple(ways) for motion, ways in found.items()}
 
     def works_on(self, way: Way, appliance: str) -> bool:
-        """Whether some unit does it with an appliance."""
+        """Return whether some unit does ``way`` with an appliance."""
         evidence = self.evidence.get(way)
         return evidence is not None and appliance in evidence.appliances
 
     def count(self, way: Way) -> int:
-        """Return how many units do it."""
+        """Return how many units do it in this ``way``."""
         evidence = self.evidence.get(way)
         return evidence.count if evidence is not None else 0
 
@@ -314,7 +314,10 @@ class Operators:
         return found
 
     def brings_such(self, name: str, form: str, role: str) -> tuple[Way, ...]:
-        """Return those of :meth:`brings` that more than one unit brings a food by; ``name`` is its own or ``kind:``."""
+        """Return those of :meth:`brings`, for the same ``form`` and ``role``, that more than one unit brings a food by.
+
+        ``name`` is its own or ``kind:``.
+        """
         counts = self.bringing.get((name, role))
         if counts is None:
             return ()
@@ -349,13 +352,16 @@ _SOLD_FINE = frozenset({"ground", "granulated", "powder", "dried"})
 
 
 def is_liquid_fat(facts: Food) -> bool:
-    """Whether a food is fat that runs as it is sold: what is fried in it stays a thing of its own."""
+    """Return whether a food of these ``facts`` is fat that runs as it is sold: what is fried in it stays apart."""
     return facts.is_a("fat") and facts.is_a("liquid")
 
 
 @lru_cache(maxsize=1 << 14)
 def form_of(known: Tables, label: str, states: tuple[str, ...]) -> str:
-    """Return how a food is handled: ``liquid``, ``powder``, ``soft``, ``pieces`` or ``whole``."""
+    """Return how a food called ``label`` in ``states`` is handled: liquid, powder, soft, pieces or whole.
+
+    ``known`` are the tables.
+    """
     facts = known.foods.food(label, states)
     if _runs(facts, states):
         return "liquid"
