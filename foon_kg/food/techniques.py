@@ -27,7 +27,7 @@ _STEP = re.compile(
 _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
 
 
-TABLES = ("cold", "flesh", "savoury", "techniques", "methods")
+TABLES = ("cold", "flesh", "savoury", "techniques", "methods", "grains")
 """The documents with rows of techniques, in the order in which these are tried."""
 
 

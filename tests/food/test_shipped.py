@@ -15,6 +15,7 @@ NAMES = (
     "components",
     "dishes",
     "foods",
+    "grains",
     "lists",
     "methods",
     "motions",

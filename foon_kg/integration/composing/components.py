@@ -12,13 +12,14 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.food import Tables, singular, words
+from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Component, Foods, Technique, components, works
 from foon_kg.integration.composing.dealing import means
 from foon_kg.integration.composing.techniques import carried_out, stage_of
 from foon_kg.integration.joining.course import HEATS, MIXES
 from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
-from foon_kg.integration.joining.spots import NATURAL, Join, Spot, only_carries, spots_of
+from foon_kg.integration.joining.spots import NATURAL, Join, Spot, is_ladled, only_carries, spots_of
 from foon_kg.integration.preparing.preparation import SECOND, Want
 from foon_kg.integration.teaching.frames import Line, Stage
 
@@ -321,6 +322,8 @@ def _attached_last(stages: Sequence[Stage], target: Stage, at: str) -> tuple[Lin
     """Return stages with ``target`` at their end, once the dish is done or cold, as :func:`_attached` does."""
     rest = stages[-1:] if only_carries(stages[-1]) else ()
     done = stages[: len(stages) - len(rest)]
+    if not target.vessel and is_ladled(stages[-1]):
+        target = replace(target, vessel=min(word_list("is eaten out of when it is ladled")))
     cool = () if at != "cooled" or (done and "wait" in done[-1].does) else (stage_of("cool"),)
     return Line((*done, *cool, *rest, target)), target, {}
 

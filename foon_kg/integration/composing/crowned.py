@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.comers import is_bath
 from foon_kg.integration.joining.course import HEATS, WORKS, Plan
-from foon_kg.integration.joining.spots import Join, any_is, only_carries, spots_of
+from foon_kg.integration.joining.spots import Join, any_is, is_ladled, only_carries, spots_of
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Stage
 
@@ -27,17 +27,22 @@ def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
     if any((plan.stacked, plan.cold, plan.laid, plan.in_pieces, plan.tin)):
         return line, plan
     place = _cooked_last(line)
-    tops = [join for join in plan.joins if not join.spot.side and _lies_on_it(join, plan, known)]
+    tops = [join for join in plan.joins if _is_loose(join) and _lies_on_it(join, plan, known)]
     if place is None or len(tops) in {0, len(plan.joins)}:
         return line, plan
     last, rest = line.stages[place], line.stages[place + 1 :]
-    if rest:
+    if rest and not is_ladled(rest[-1]):
         top = rest[-1]
     else:
         top = Stage((), "", frozenset(), (), "bowl", "in", "", "", last.label, last.states, last.step)
         line = Line((*line.stages, top))
     joins = [_ending(join, top, on_top=join in tops) for join in plan.joins]
     return line, replace(plan, joins=joins)
+
+
+def _is_loose(join: Join) -> bool:
+    """Whether a food joins the dish itself, and is nothing in which one of its foods is turned."""
+    return not join.spot.side and "coat" not in join.spot.stage.does
 
 
 def _cooked_last(line: Line) -> int | None:

@@ -204,9 +204,14 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
     if "make" in row and (not cut or row.get("always")):
         squeezed = _is_squeezed(want, row["make"], known)
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")), squeezed=squeezed)
-    if "then" in row and not want.then and not cut:
-        want = replace(want, then=row["then"], cooked=True)
+    if not want.then and (not cut or row.get("always")):
+        want = _cooked_to(want, row.get("then", ""))
     return replace(want, facts=facts), slot
+
+
+def _cooked_to(want: Want, state: str) -> Want:
+    """Return a food that is cooked and then brought to a state; as it is where none is said."""
+    return replace(want, then=state, cooked=True) if state else want
 
 
 def _is_squeezed(want: Want, make: str, known: Tables) -> bool:

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from foon_kg.food.lists import word_list
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
@@ -103,3 +104,8 @@ def any_is(joins: Iterable[Join], *kinds: str) -> bool:
 def only_carries(stage: Stage) -> bool:
     """Whether a stage brings the dish to where it is served, or only adds to it."""
     return all(stage.does.isdisjoint(does) for _, does in _WORKS)
+
+
+def is_ladled(stage: Stage) -> bool:
+    """Whether a dish is in a pot after a stage, out of which nobody eats."""
+    return stage.vessel in word_list("is ladled out of")

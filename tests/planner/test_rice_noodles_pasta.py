@@ -1,0 +1,115 @@
+"""Dishes of rice, noodles and pasta, stir-fries and casseroles: each is made as what it is called is made."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import Told, first, inside, motions
+
+pytestmark = pytest.mark.shared_data
+
+
+def _into(told: Told, food: str, vessel: str) -> int:
+    """Return at which step a food comes into a vessel."""
+    return next(n for n, (inputs, one, _) in enumerate(told) if {food, vessel} <= inputs and one != "grate")
+
+
+def test_the_eggs_of_a_carbonara_never_see_the_heat(steps):
+    told = steps("pasta", "Spaghetti Carbonara", "spaghetti:uncooked", "guanciale:diced", "egg yolks:uncooked",
+                 "egg:whole", "pecorino romano:grated", "black pepper:ground")  # fmt: skip
+    off = max(place for place, motion in enumerate(motions(told)) if motion == "turn off")
+    assert off < first(told, "egg mixture", "stir")
+    assert "pecorino romano" in inside(told, "whisk")
+
+
+def test_noodles_are_stirred_with_a_sauce_that_is_mixed_apart(steps):
+    told = steps("noodle", "", "rice noodles:uncooked", "oil:liquid", "garlic:minced", "shrimp:peeled",
+                 "egg:beaten", "fish sauce:sauce", "soy sauce:liquid", "sugar:granulated", "peanuts:whole")  # fmt: skip
+    assert {"fish sauce", "soy sauce", "sugar"} <= inside(told, "stir")
+    assert first(told, "shrimp", "cook and stir") < first(told, "mixture", "pour")
+    assert _into(told, "peanuts", "noodle") > max(n for n, one in enumerate(motions(told)) if one == "turn off")
+
+
+def test_a_sauce_of_nuts_is_not_cooked(steps):
+    told = steps("noodle", "Spicy Peanut Noodles", "spaghetti:uncooked", "peanut butter:creamy", "soy sauce:liquid",
+                 "rice vinegar:liquid", "honey:thick liquid", "cucumber:julienned")  # fmt: skip
+    hot = [inputs for inputs, motion, _ in told if motion in {"cook", "simmer", "cook and stir"}]
+    assert not [inputs for inputs in hot if {"peanut butter", "cucumber"} & inputs]
+
+
+def test_starch_beside_a_sauce_with_starch_coats_the_meat(steps):
+    told = steps("stir-fry", "Beef and Broccoli", "flank steak:sliced", "cornstarch:powder", "broccoli:floret",
+                 "oil:liquid", "soy sauce:liquid:sauce", "cornstarch:powder:sauce",
+                 "beef broth:liquid:sauce")  # fmt: skip
+    assert inside(told, "mix") == {"flank steak", "cornstarch"}
+    assert first(told, "flank steak", "mix") < motions(told).index("cook and stir")
+
+
+def test_pancakes_of_moo_shu_lie_beside_it(steps):
+    told = steps("stir-fry", "Moo Shu Pork", "pork:strips", "eggs:beaten", "cabbage:shredded", "soy sauce:liquid",
+                 "cornstarch:powder", "oil:liquid", "moo shu pancakes:whole")  # fmt: skip
+    assert not [inputs for inputs, one, _ in told if "moo shu pancakes" in inputs and one.startswith("cook")]
+    assert first(told, "eggs", "cook and stir") < first(told, "pork", "cook and stir")
+
+
+def test_what_lies_on_a_bowl_of_rice_is_not_cooked(steps):
+    told = steps("rice", "Chicken Burrito Bowl", "rice:uncooked", "water:liquid", "chicken breast:raw",
+                 "black beans:drained", "olive oil:liquid", "avocado:diced", "sour cream:creamy",
+                 "cheddar cheese:shredded")  # fmt: skip
+    off = max(place for place, motion in enumerate(motions(told)) if motion == "turn off")
+    for food in ("avocado", "sour cream", "cheddar cheese"):
+        assert max(n for n, (inputs, _, _) in enumerate(told) if food in inputs) > off
+
+
+def test_rice_for_sushi_boils_in_the_water_that_is_asked(steps):
+    told = steps("rice", "California Rolls", "sushi rice:uncooked", "water:liquid", "rice vinegar:liquid", "nori:sheet",
+                 "avocado:sliced", "imitation crab:canned")  # fmt: skip
+    (inputs,) = [inputs for inputs, motion, _ in told if motion == "simmer"]
+    assert "sushi rice" in inputs
+    assert not [inputs for inputs, _, _ in told if {"water", "cutting board"} <= inputs]
+
+
+def test_balls_of_rice_are_turned_in_crumbs_before_they_are_fried(steps):
+    told = steps("rice", "Arancini", "risotto rice:cooked", "parmesan:grated", "eggs:uncooked", "flour:powder",
+                 "breadcrumbs:crumbs", "oil:liquid")  # fmt: skip
+    assert first(told, "breadcrumbs", "dip") < motions(told).index("cook")
+
+
+def test_base_of_jollof_is_blended_and_cooked_with_the_rice(steps):
+    told = steps("rice", "Jollof Rice", "rice:uncooked", "tomatoes:whole", "red bell peppers:whole", "onions:whole",
+                 "oil:liquid", "tomato paste:paste", "chicken stock:liquid")  # fmt: skip
+    assert inside(told, "blend") == {"tomatoes", "red bell peppers", "onions"}
+    assert motions(told).index("blend") < motions(told).index("simmer")
+
+
+def test_wedges_lie_on_rice_that_is_out_of_its_pot(steps):
+    told = steps("rice", "Seafood Paella", "rice:uncooked", "olive oil:liquid", "onion:chopped", "fish stock:liquid",
+                 "shrimp:peeled", "lemon wedges:whole:serving")  # fmt: skip
+    assert not [inputs for inputs, _, _ in told if {"lemon wedges", "pot"} <= inputs]
+
+
+def test_sheets_fried_meat_and_white_sauce_are_three_layers(steps):
+    told = steps("pasta", "Lasagne al Forno", "lasagne sheets:uncooked", "beef mince:uncooked", "onion:chopped",
+                 "tomatoes:canned", "butter:unmelted:sauce", "flour:powder:sauce", "milk:liquid:sauce",
+                 "Parmesan:grated")  # fmt: skip
+    assert first(told, "beef mince", "cook and stir") < motions(told).index("bake")
+    assert not [inputs for inputs, one, _ in told if one == "cook and stir" and {"flour", "beef mince"} <= inputs]
+
+
+def test_sweet_potatoes_are_mashed_for_a_casserole_though_they_are_asked_cubed(steps):
+    told = steps("casserole", "Sweet Potato Casserole", "sweet potatoes:cubed", "sugar:granulated", "eggs:beaten",
+                 "milk:liquid", "pecans:chopped")  # fmt: skip
+    assert first(told, "sweet potatoes", "boil") < first(told, "sweet potatoes", "mash") < motions(told).index("bake")
+
+
+@pytest.mark.parametrize(
+    ("title", "asked"),
+    [
+        ("Shepherd's Pie", ("lamb:minced", "onion:chopped", "beef stock:liquid", "potatoes:cut", "butter:unmelted")),
+        ("Lancashire Hotpot", ("lamb:cubed", "onions:sliced", "lamb stock:liquid", "potatoes:sliced", "butter:melted")),
+        ("Ratatouille", ("eggplant:cubed", "zucchini:sliced", "tomatoes:chopped", "olive oil:liquid")),
+    ],
+)
+def test_what_is_stewed_for_a_casserole_is_baked_then(steps, title, asked):
+    told = steps("casserole", title, *asked)
+    stewed = asked[0].split(":")[0]
+    assert first(told, stewed, "cook and stir") < motions(told).index("bake")
