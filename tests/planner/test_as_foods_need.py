@@ -73,3 +73,56 @@ def test_bacon_is_fried_and_cut_before_it_is_stirred_into_what_is_baked(steps):
         "salt:ground", "bacon:raw",
     )  # fmt: skip
     assert first(told, "bacon", "cook") < first(told, "bacon", "chop") < first(told, "bacon", "mix")
+
+
+def test_rice_served_beside_a_stew_is_boiled_when_that_is_ready(steps):
+    told = steps(
+        "beef", "Chili con Carne", "ground beef:raw", "onion:chopped", "oil:liquid", "tomato:canned", "kidney bean:canned",
+        "long-grain rice:uncooked:serving",
+    )  # fmt: skip
+    simmered = max(place for place, (inputs, motion, _) in enumerate(told) if motion == "simmer" and "pot" in inputs)
+    assert next(place for place, (inputs, _, _) in enumerate(told) if "long-grain rice" in inputs) > simmered
+
+
+def test_what_makes_a_soup_is_not_mixed_cold_beside_it_and_sour_and_creamy_come_last(steps):
+    told = steps(
+        "soup", "Hungarian Mushroom Soup", "butter:stick", "onion:chopped", "mushroom:sliced", "chicken broth:liquid",
+        "milk:liquid", "flour:powder", "lemon juice:juice", "sour cream:creamy",
+    )  # fmt: skip
+    assert not any("measuring cup" in inputs and motion == "mix" for inputs, motion, _ in told)
+    poured = [food for inputs, motion, _ in told for food in ("flour", "chicken broth", "sour cream", "lemon juice")
+              if food in inputs and "pour" in motion and "pot" in inputs]  # fmt: skip
+    assert poured == ["flour", "chicken broth", "sour cream", "lemon juice"]
+
+
+def test_cheese_that_is_to_melt_is_grated_and_crumbly_cheese_crumbled(steps):
+    told = steps("pie", "Quiche", "pie crust:raw", "gruyere:block", "feta:block", "egg:whole", "cream:creamy")
+    assert any(inputs >= {"gruyere", "grater"} for inputs, _, _ in told)
+    assert any("crumbled" in node.states for _, _, outputs in told for node in outputs if node.label == "feta")
+
+
+def test_nuts_asked_toasted_are_toasted_before_they_are_stirred_into_a_batter(steps):
+    told = steps(
+        "cake", "", "flour:ground", "sugar:ground", "egg:whole raw", "butter:creamy", "baking powder:ground",
+        "walnut:toasted",
+    )  # fmt: skip
+    assert first(told, "walnut", "toast") < first(told, "walnut", "mix")
+
+
+def test_capers_are_poured_out_of_their_brine(steps):
+    told = steps("salad", "", "potato:boiled", "caper:whole", "oil:juice", "vinegar:juice", "egg:boiled")
+    assert any({"caper", "strainer"} <= inputs for inputs, _, _ in told)
+
+
+def test_a_curry_that_is_called_by_its_flesh_is_cooked_in_one_pot_and_lime_comes_late(steps):
+    told = steps(
+        "chicken", "Thai Green Curry Chicken", "oil:liquid", "green curry paste:paste", "coconut milk:liquid",
+        "chicken thigh:sliced", "lime juice:juice", "eggplant:cubed",
+    )  # fmt: skip
+    assert first(told, "oil", "heat") < first(told, "chicken thigh", "pour") < first(told, "lime juice", "pour")
+    assert not any("bowl" in inputs and "coconut milk" in inputs for inputs, _, _ in told[:-1])
+
+
+def test_beans_are_the_peas_of_rice_and_peas(public_plans):
+    plan = public_plans("rice", "Rice and Peas", "kidney bean:dried", "coconut milk:liquid", "rice:uncooked", "salt:")
+    assert plan.units

@@ -70,8 +70,18 @@ def is_stewed(title: str, dishes: Collection[Dish], joins: Sequence[Join], known
     """
     head = list(itertools.takewhile(lambda word: word not in _JOINED, words(title)))
     other = any(dish.stacked or dish.dressed or dish.laid or dish.baked for dish in dishes)
-    named = bool(head) and head[-1] in word_list("is cooked in one pot")
+    named = _is_called_by_a_pot(head, joins)
     return not other and (named or _is_in_sauce(joins, words(title), known))
+
+
+def _is_called_by_a_pot(head: Sequence[str], joins: Sequence[Join]) -> bool:
+    """Whether a title ends in a dish that is cooked in one pot, or has such a word before the flesh that it is of."""
+    stews = word_list("is cooked in one pot")
+    if not head or stews.isdisjoint(head):
+        return False
+    flesh = {word for join in joins if join.want.facts.is_a(*word_list("is flesh")) for word in words(join.want.label)}
+    wet = any(join.want.facts.is_of(*word_list("is cooked in for long")) for join in joins)
+    return head[-1] in stews or (wet and head[-1] in flesh)
 
 
 def _is_in_sauce(joins: Sequence[Join], told: Sequence[str], known: Tables) -> bool:

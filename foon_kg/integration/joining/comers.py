@@ -30,13 +30,13 @@ class Comer:
     phase: str
 
     @property
-    def rank(self) -> tuple[bool, bool, bool]:
-        """Its place within its phase: fat first, then what takes longest, seasoning at the end."""
+    def rank(self) -> tuple[bool, bool, bool, bool]:
+        """Its place within its phase: fat first, then what takes longest, seasoning at the end, and what is sour."""
         facts = self.facts
         if facts is None:
-            return (True, True, False)
+            return (True, True, False, False)
         first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"))
-        return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts))
+        return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts), facts.is_a("sour juice", "vinegar"))
 
     @property
     def is_solid(self) -> bool:

@@ -264,15 +264,24 @@ class _Phaser:
         """Take out of what is mixed cold what a cook puts into the vessel by itself, and return it.
 
         That is what has to be fried before raw eggs come, and eggs that would set in the liquid only when that boils:
-        not where all of it ``sets``, and is folded then.
+        not where all of it ``sets``, and is folded then. In a pot in which all is cooked each comes in its turn.
         """
         if not _is_mixed_cold(line):
             return []
         foods = self._foods(line)
-        found = foods if is_dry_binder(foods) else _unbeaten(foods, sets=sets)
+        found = foods if is_dry_binder(foods) or self._comes_in_turn(foods) else _unbeaten(foods, sets=sets)
         for joins in self.at.values():
             joins[:] = [join for join in joins if join not in found]
         return found
+
+    def _comes_in_turn(self, foods: Sequence[Join]) -> bool:
+        """Whether foods that a video mixes beside a pot are the liquids of that, or what is boiled in them.
+
+        Starch that no fat takes up is stirred smooth before, and so is what holds together.
+        """
+        binds = any_is(foods, *word_list("makes lumps")) and not self._has_fat(foods)
+        held = any_is(foods, *word_list("holds a mixture together") - word_list("makes lumps"))
+        return self.plan.one_pot and not binds and not held and any(is_bath(one.want.facts) for one in foods)
 
     def _bath_of(self, line: Line) -> list[Join]:
         """Return what of a line may be liquid to cook in: not drained water, nor what eggs are beaten with."""

@@ -88,10 +88,18 @@ class Cooking:
         facts, number = join.want.facts, join.want.number
         if self.plan.stacked and facts.is_a(*word_list("carries what is stacked")):
             self.base_late[number] = method
-        elif self.stages.is_boiled_late(join.spot.stage) and facts.is_a(*word_list("is boiled by itself")):
+        elif self._waits_for_the_rest(join):
             self.boiled_late[number] = method
         else:
             self.alone.cook_first(join, method)
+
+    def _waits_for_the_rest(self, join: Join) -> bool:
+        """Whether a food is boiled by itself when its sauce is ready, or what it is served beside."""
+        stage, facts = join.spot.stage, join.want.facts
+        if facts.is_a(*word_list("is boiled by itself")):
+            return self.stages.is_boiled_late(stage)
+        beside = facts.is_a(*word_list("is boiled when the rest is ready"))
+        return beside and self.stages.is_served_beside(stage)
 
     # --- lines ---
 

@@ -189,6 +189,8 @@ class Precooking:
         want = join.want
         if self.plan.laid and want.facts.is_a(*word_list("is flesh")):
             return False  # it would be raw when the dough is done
+        if want.make in word_list("is so by dry heat") and join.spot.stage.does & MIXES:
+            return False  # nothing gets brown inside what is wet
         return self._cooks_there(join, due) and not _is_toasted(join)
 
     def _cooks_there(self, join: Join, due: Collection[str]) -> bool:

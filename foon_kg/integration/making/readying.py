@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import replace
 
-from foon_kg.food import Tables
+from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.course import HEATS, MIXES
@@ -72,8 +72,14 @@ class Readying:
             ("chopped", _is_done_later(join, MIXES), "is cut to be mixed"),
             ("crushed", _is_done_later(join, {"dry"}), "is crushed to be baked"),
         ]
+        hot = _is_done_later(join, HEATS) and not self.plan.stacked
+        melts = [
+            ("grated", True, "is grated over it"),
+            ("grated", hot, "is grated to melt"),
+            ("crumbled", hot, "is crumbled"),
+        ]
         form = join.slot.states if join.slot is not None else ()
-        return (*form, *(state for state, needed, kinds in needs if needed and facts.is_a(*word_list(kinds))))
+        return (*_those(melts, facts), *form, *_those(needs, facts))
 
     def _is_mixed(self, join: Join) -> bool:
         """Whether more than seasoning joins at the same stage, or before it, so that nobody eats a food by itself."""
@@ -87,11 +93,17 @@ class Readying:
             return want
         if blended and want.facts.is_a(*word_list("is cut to be blended")):
             return replace(want, make=min(word_list("is cut so to be blended")))
+        if self._is_stirred_in(join) and want.facts.is_a(*word_list("is cut to be stirred in")):
+            return replace(want, make=min(word_list("is cut so to be blended")))
         if _is_shaped_later(join) and want.facts.is_a(*word_list("is mashed to be shaped")):
             return replace(want, make="mashed")
         if _is_eaten_raw(join) and want.facts.is_a(*word_list("is never eaten whole")):
             return replace(want, make=min(word_list("is cut so to be eaten raw")))
         return want
+
+    def _is_stirred_in(self, join: Join) -> bool:
+        """Whether a food is mixed with the rest of what is eaten, and neither lies on it nor swims in a glass."""
+        return not self.plan.drunk and not join.on_top and _is_done_later(join, MIXES)
 
     def _as_soft_as_needed(self, join: Join) -> Want:
         """Return a want that lay out of the refrigerator where it is beaten, or stirred with what is sweet."""
@@ -131,6 +143,11 @@ class Readying:
             return True
         flat = self.plan.stacked and facts.is_a(*word_list("is fried rather than boiled"))
         return self.alone.precooking.is_asked_done(want) and not flat
+
+
+def _those(needs: Sequence[tuple[str, bool, str]], facts: Food) -> Iterator[str]:
+    """Yield the states of ``needs`` in which a food joins: of each the state, whether such a dish has it, and of what."""
+    return (state for state, needed, kinds in needs if needed and facts.is_a(*word_list(kinds)))
 
 
 def _is_blended(join: Join) -> bool:

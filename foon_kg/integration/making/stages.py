@@ -39,6 +39,11 @@ class Stages:
         after = not self.plan.stacked and self.course.follows_heat(stage)
         return self.waits_for_sauce(stage) or (after and (self.plan.one_pot or stage.does.isdisjoint(HEATS)))
 
+    def is_served_beside(self, stage: Stage) -> bool:
+        """Whether what joins at ``stage`` comes hot beside what was cooked before, and is cooked no more."""
+        hot = not (self.plan.stacked or self.plan.cold or self.plan.cooled or self.plan.in_pieces)
+        return hot and stage.does.isdisjoint(HEATS) and self.course.follows_heat(stage)
+
     def made_late(self, line: Line) -> frozenset[int]:
         """Return, by identity, what joins a line and is made just before: what waits for a sauce, and a foam.
 
