@@ -77,8 +77,8 @@ def test_bacon_is_fried_and_cut_before_it_is_stirred_into_what_is_baked(steps):
 
 def test_rice_served_beside_a_stew_is_boiled_when_that_is_ready(steps):
     told = steps(
-        "beef", "Chili con Carne", "ground beef:raw", "onion:chopped", "oil:liquid", "tomato:canned", "kidney bean:canned",
-        "long-grain rice:uncooked:serving",
+        "beef", "Chili con Carne", "ground beef:raw", "onion:chopped", "oil:liquid", "tomato:canned",
+        "kidney bean:canned", "long-grain rice:uncooked:serving",
     )  # fmt: skip
     simmered = max(place for place, (inputs, motion, _) in enumerate(told) if motion == "simmer" and "pot" in inputs)
     assert next(place for place, (inputs, _, _) in enumerate(told) if "long-grain rice" in inputs) > simmered

@@ -128,7 +128,9 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
     """Return how what is heated in one vessel is made: fried in turn, thickened, stewed or blended."""
     line, joins = unmixed(line, joins)
     joins = fat_in_the_heat(joins)
-    boiled = not word_list("boils in the dish").isdisjoint(called.told)  # there flour is stirred into the fat in its turn
+    boiled = not word_list("boils in the dish").isdisjoint(
+        called.told
+    )  # there flour is stirred into the fat in its turn
     if not called.tin and not boiled and word_list("is called battered").isdisjoint(called.told):
         line, joins = sauce_apart(line, joins)
     line, joins, one_pot = _stewed_or_smooth(line, joins, called, known)

@@ -76,12 +76,12 @@ def is_stewed(title: str, dishes: Collection[Dish], joins: Sequence[Join], known
 
 def _is_called_by_a_pot(head: Sequence[str], joins: Sequence[Join]) -> bool:
     """Whether a title ends in a dish that is cooked in one pot, or has such a word before the flesh that it is of."""
-    stews = word_list("is cooked in one pot")
-    if not head or stews.isdisjoint(head):
+    in_a_pot = word_list("is cooked in one pot")
+    if not head or in_a_pot.isdisjoint(head):
         return False
     flesh = {word for join in joins if join.want.facts.is_a(*word_list("is flesh")) for word in words(join.want.label)}
     wet = any(join.want.facts.is_of(*word_list("is cooked in for long")) for join in joins)
-    return head[-1] in stews or (wet and head[-1] in flesh)
+    return head[-1] in in_a_pot or (wet and head[-1] in flesh)
 
 
 def _is_in_sauce(joins: Sequence[Join], told: Sequence[str], known: Tables) -> bool:

@@ -18,6 +18,7 @@ ORDER = ("is fried", "is stirred into the fat", "cooks in the liquid", "is done 
 FRIED, BINDS, WET, SOON, LAST = ORDER
 EGGS_FIRST, EGGS = "eggs before what is boiled", "eggs"
 DRY_ORDER = (FRIED, BINDS, SOON, EGGS_FIRST, WET, EGGS, LAST)
+_CURDLES = word_list("curdles what is creamy")
 _MOST_TELLING = (LAST, SOON, BINDS, FRIED, WET)
 
 
@@ -36,7 +37,7 @@ class Comer:
         if facts is None:
             return (True, True, False, False)
         first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"))
-        return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts), facts.is_a("sour juice", "vinegar"))
+        return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts), facts.is_a(*_CURDLES))
 
     @property
     def is_solid(self) -> bool:

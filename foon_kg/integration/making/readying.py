@@ -146,7 +146,7 @@ class Readying:
 
 
 def _those(needs: Sequence[tuple[str, bool, str]], facts: Food) -> Iterator[str]:
-    """Yield the states of ``needs`` in which a food joins: of each the state, whether such a dish has it, and of what."""
+    """Yield of ``needs`` the states in which a food joins: each with whether such a dish has it, and the kinds."""
     return (state for state, needed, kinds in needs if needed and facts.is_a(*word_list(kinds)))
 
 
