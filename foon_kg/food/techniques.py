@@ -27,7 +27,7 @@ _STEP = re.compile(
 _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
 
 
-TABLES = ("cold", "flesh", "savoury", "techniques", "methods", "grains")
+TABLES = ("eggs", "handheld", "morsels", "cold", "flesh", "savoury", "techniques", "methods", "grains")
 """The documents with rows of techniques, in the order in which these are tried."""
 
 
@@ -261,7 +261,8 @@ class Component:
     the component is ``guessed`` from that, the last of ``body``. With them come those of ``neighbours`` that are listed
     beside them. Else they are listed after all of ``after`` around one of ``again`` that was listed before. None of
     them is one of ``lacks``; ``beside`` are foods of which each list leaves one for the rest. ``at`` is where it joins,
-    ``by`` the stage at which it does.
+    ``by`` the stage at which it does. ``leaves`` are no part of it, though listed under its heading: pasta behind what
+    is for the sauce.
     """
 
     technique: Technique
@@ -277,6 +278,7 @@ class Component:
     behind: bool = False
     opens: bool = False
     lacks: tuple[Foods, ...] = ()
+    leaves: tuple[Foods, ...] = ()
 
 
 @cache
@@ -297,6 +299,7 @@ def components() -> tuple[Component, ...]:
             row.get("behind", False),
             row.get("opens", False),
             tuple(map(Foods.read, row.get("lacks", ()))),
+            tuple(map(Foods.read, row.get("leaves", ()))),
         )
         for name, row in shipped("components")["components"].items()
     )

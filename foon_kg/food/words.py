@@ -97,10 +97,14 @@ def without_part(text: str) -> tuple[str, str]:
 def heading_part(text: str) -> str:
     """Return the part of a dish that ``text``, a heading, names; ``""`` where it names none.
 
-    >>> heading_part("For the lemon glaze:")
-    'glaze'
+    A sauce may be called by its own name.
+
+    >>> heading_part("For the lemon glaze:"), heading_part("For the tzatziki:")
+    ('glaze', 'sauce')
     """
-    return next((word for word in reversed(re.findall(r"[a-z]+", text.lower())) if word in _named()), "")
+    said = list(reversed(re.findall(r"[^\W\d_]+", text.lower())))
+    named = next((word for word in said if word in _named()), "")
+    return named or ("sauce" if not word_list("is a sauce by its name").isdisjoint(map(singular_word, said)) else "")
 
 
 def _named() -> frozenset[str]:

@@ -147,7 +147,9 @@ class _Finder:
         return [self.listed[place] for place in sorted(places)]
 
     def _named(self, component: Component) -> set[int]:
-        return {place for place, want in self.listed.items() if want.part and want.part in component.parts}
+        around = self._around()
+        told = {place: want for place, want in self.listed.items() if want.part and want.part in component.parts}
+        return {place for place, want in told.items() if not _are(component.leaves, want, around)}
 
     def _guessed(self, component: Component, around: Around) -> set[int]:
         """Return the place of the food with which a component begins of which the recipe does not say so.

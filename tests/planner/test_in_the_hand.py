@@ -1,0 +1,90 @@
+"""What is eaten on bread, in it or rolled into it, and what is shaped of flesh, is made as such dishes are."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, inside, motions
+
+pytestmark = pytest.mark.shared_data
+
+
+def heated_with(told, food):
+    """Return what is in the same vessel as a food when something hot is done to it."""
+    hot = {"cook", "cook and stir", "simmer", "boil", "bake"}
+    nodes = [node for _, motion, outputs in told if motion in hot for node in outputs]
+    return {other for node in nodes if food in node.ingredients for other in node.ingredients}
+
+
+def test_bread_is_toasted_before_what_is_raw_lies_on_it(steps):
+    told = steps("sandwich", "Tomato Bruschetta", "plum tomatoes:diced", "garlic:minced", "olive oil:liquid",
+                 "basil leaves:chopped", "baguette:sliced")  # fmt: skip
+    assert motions(told).index("bake") < motions(told).index("stir")
+    assert "plum tomatoes" not in heated_with(told, "baguette")
+
+
+def test_flat_bread_is_not_fried_with_what_is_rolled_into_it(steps):
+    told = steps("sandwich", "Beef Burritos", "ground beef:uncooked", "onion:chopped", "rice:uncooked",
+                 "flour tortillas:plain", "cheddar cheese:shredded", "salsa:sauce")  # fmt: skip
+    assert "flour tortillas" not in heated_with(told, "ground beef")
+    assert "roll" in motions(told)
+
+
+def test_eggs_for_a_burrito_are_scrambled(steps):
+    told = steps("sandwich", "Breakfast Burritos", "eggs:uncooked", "milk:liquid", "butter:unmelted",
+                 "breakfast sausage:raw", "flour tortillas:plain", "salsa:sauce")  # fmt: skip
+    assert inside(told, "beat") >= {"eggs", "milk"}
+    assert "boil" not in motions(told)
+
+
+def test_a_sauce_called_by_its_name_is_mixed_by_itself(steps):
+    told = steps("burger", "Lamb Burgers", "ground lamb:raw", "cumin:ground", "buns:whole",
+                 "yogurt:creamy:sauce", "mint:chopped:sauce", "lemon juice:juice:sauce")  # fmt: skip
+    assert inside(told, "stir") == {"yogurt", "mint", "lemon juice"}
+
+
+def test_chopped_fish_is_shaped_for_a_burger(steps):
+    told = steps("burger", "Salmon Burgers", "salmon:chopped", "panko:crumbs", "egg:uncooked", "scallions:chopped",
+                 "oil:liquid", "buns:whole")  # fmt: skip
+    assert first(told, "salmon", "mash") < motions(told).index("flip")
+    assert "buns" not in heated_with(told, "salmon")
+
+
+def test_fish_and_potatoes_are_boiled_and_mashed_for_cakes_in_crumbs(steps):
+    told = steps("seafood", "Salmon Fishcakes", "potatoes:peeled", "salmon:raw", "flour:powder", "egg:beaten",
+                 "breadcrumbs:crumbs", "oil:liquid")  # fmt: skip
+    assert motions(told).index("mash") < motions(told).index("flip")
+    assert "breadcrumbs" not in inside(told, "mash")
+
+
+def test_a_sauce_for_balls_is_cooked_apart_and_pasta_is_no_part_of_it(steps):
+    told = steps("meatball", "Spaghetti and Meatballs", "ground beef:uncooked", "breadcrumbs:crumbs", "egg:uncooked",
+                 "oil:liquid", "onion:chopped:sauce", "crushed tomatoes:canned:sauce",
+                 "spaghetti:uncooked:sauce")  # fmt: skip
+    assert inside(told, "mix") == {"ground beef", "breadcrumbs", "egg"}
+    assert "spaghetti" not in heated_with(told, "crushed tomatoes")
+
+
+def test_sausages_lie_rolled_in_bacon_when_they_are_baked(steps):
+    told = steps("sausage", "Pigs in Blankets", "cocktail sausages:packaged", "bacon:raw", "honey:thick liquid")
+    assert motions(told).index("roll") < motions(told).index("bake")
+    assert inside(told, "roll") == {"cocktail sausages", "bacon"}
+
+
+def test_poached_eggs_lie_on_toast_under_a_sauce_of_yolks(steps):
+    told = steps("omelette", "Eggs Benedict", "English muffins:split", "Canadian bacon:raw", "eggs:uncooked",
+                 "egg yolks:raw:sauce", "lemon juice:juice:sauce", "butter:melted:sauce")  # fmt: skip
+    assert "boil" in motions(told)
+    assert "eggs" not in heated_with(told, "egg yolks")
+    assert inside(told, "cook and stir") == {"egg yolks", "lemon juice", "butter"}
+
+
+def test_eggs_are_opened_into_a_sauce_without_tomatoes_too(steps):
+    told = steps("omelette", "Green Shakshuka", "oil:liquid", "leek:sliced", "spinach:leaves", "eggs:uncooked")
+    assert "whisk" not in motions(told)
+
+
+def test_meat_for_a_pizza_is_stewed_and_what_is_fresh_comes_last(steps):
+    told = steps("pizza", "Taco Pizza", "pizza dough:whole", "ground beef:uncooked", "taco seasoning:mixed",
+                 "cheddar cheese:shredded", "lettuce:shredded", "tomato:chopped")  # fmt: skip
+    assert heated_with(told, "taco seasoning") >= {"ground beef"}
+    assert not {"lettuce", "tomato"} & heated_with(told, "pizza dough")
