@@ -104,7 +104,8 @@ def heading_part(text: str) -> str:
     """
     said = list(reversed(re.findall(r"[^\W\d_]+", text.lower())))
     named = next((word for word in said if word in _named()), "")
-    return named or ("sauce" if not word_list("is a sauce by its name").isdisjoint(map(singular_word, said)) else "")
+    own = (part for part in ("sauce", "salsa") if not word_list(f"is a {part} by its name").isdisjoint(said))
+    return named or next(own, "")
 
 
 def _named() -> frozenset[str]:

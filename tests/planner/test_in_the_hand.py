@@ -88,3 +88,57 @@ def test_meat_for_a_pizza_is_stewed_and_what_is_fresh_comes_last(steps):
                  "cheddar cheese:shredded", "lettuce:shredded", "tomato:chopped")  # fmt: skip
     assert heated_with(told, "taco seasoning") >= {"ground beef"}
     assert not {"lettuce", "tomato"} & heated_with(told, "pizza dough")
+
+
+def test_eggs_for_a_roll_are_fried_and_not_boiled(steps):
+    told = steps("sandwich", "Breakfast Sandwich", "croissants:whole", "eggs:uncooked", "ham:whole", "butter:unmelted")
+    assert "boil" not in motions(told)
+    assert "croissants" not in heated_with(told, "eggs")
+
+
+def test_poached_eggs_are_boiled_without_their_shells(steps):
+    told = steps("omelette", "Poached Eggs on Toast", "eggs:uncooked", "bread:loaf", "butter:unmelted")
+    assert first(told, "eggs", "crack") < motions(told).index("boil")
+    assert "peel" not in motions(told)
+
+
+def test_what_is_sweet_is_folded_into_eggs_of_a_list_without_a_title(steps):
+    told = steps("omelette", "", "egg:whole raw", "sugar:ground", "strawberry:sliced", "butter:softened")
+    assert inside(told, "whisk") == {"egg", "sugar"}
+    assert "fold" in motions(told)
+
+
+def test_seasoned_eggs_without_a_title_are_rolled_up(steps):
+    told = steps("omelette", "", "egg:whole raw", "stock:ground", "sugar:ground", "mirin:juice", "soy sauce:sauce")
+    assert "roll" in motions(told)
+
+
+def test_eggs_and_a_crust_without_a_title_are_baked(steps):
+    told = steps("omelette", "", "egg:whole raw", "pie crust:baked", "onion:sliced", "ham:sliced", "butter:softened")
+    assert "pie crust" not in inside(told, "whisk")
+    assert "bake" in motions(told)
+
+
+def test_flour_and_milk_are_kneaded_into_what_is_shaped_where_fat_comes_after_them(steps):
+    told = steps("meatball", "Frikadeller", "ground pork:raw", "onion:grated", "eggs:uncooked", "flour:powder",
+                 "milk:liquid", "butter:unmelted")  # fmt: skip
+    assert inside(told, "mix") >= {"flour", "milk", "eggs"}
+
+
+def test_whole_fish_is_roasted_once_with_what_is_beside_it(steps):
+    told = steps("seafood", "Whole Roasted Sea Bream", "sea bream:whole", "fennel:sliced", "lemon:sliced", "oil:liquid")
+    assert motions(told).count("bake") == 1
+    assert "cook and stir" not in motions(told)
+
+
+def test_carnitas_are_simmered_and_pulled_apart_before_flat_bread_holds_them(steps):
+    told = steps("sandwich", "Carnitas Tacos", "pork shoulder:cubed", "orange:juiced", "onion:quartered",
+                 "cumin:ground", "corn tortillas:plain", "cilantro:whole")  # fmt: skip
+    assert motions(told).index("simmer") < motions(told).index("pull apart")
+    assert "cilantro" not in heated_with(told, "pork shoulder")
+
+
+def test_a_heading_that_names_a_salsa_keeps_it_raw(steps):
+    told = steps("seafood", "Grilled Swordfish with Mango Salsa", "swordfish steaks:raw", "oil:liquid",
+                 "mangoes:diced:salsa", "red onion:diced:salsa", "lime juice:juice:salsa")  # fmt: skip
+    assert inside(told, "stir") == {"mangoes", "red onion", "lime juice"}

@@ -208,14 +208,25 @@ class _Mass:
 
     def _soaks_what_binds(self, join: Join) -> bool:
         """Whether a liquid is for the crumbs that bind a mass: listed beside them, or if another one is the sauce."""
-        if not (self.bound and join.want.facts.kind in word_list("soaks what binds")):
+        if join.want.facts.kind not in word_list("soaks what binds"):
             return False
+        if not self.bound:
+            return self._is_for_flour(join)
         if self._is_beside_binder(join):
             return True
         others = [one.want.facts for one in self.joins if one is not join]
         drunk = join.want.facts.is_a(*word_list("makes a sauce only when it is bound"))
         loose = drunk and not any(one.is_a(*word_list("binds a mass or a sauce")) for one in others)
         return loose or any(_runs_around(one) for one in others)
+
+    def _is_for_flour(self, join: Join) -> bool:
+        """Whether a liquid thins the flour that binds a mass with its eggs: no sauce, which begins with fat."""
+        fats, flour, eggs = (
+            [place for one in self.joins if one.want.facts.is_a(kind) for place in one.want.places]
+            for kind in ("fat", "flour", "egg")
+        )
+        others = any(_runs_around(one.want.facts) for one in self.joins if one is not join)
+        return bool(flour and eggs) and not others and max(flour) < min(fats, default=math.inf)
 
     def is_sauce(self, join: Join) -> bool:
         """Whether a food is cooked around what was shaped."""
