@@ -142,3 +142,21 @@ def test_a_heading_that_names_a_salsa_keeps_it_raw(steps):
     told = steps("seafood", "Grilled Swordfish with Mango Salsa", "swordfish steaks:raw", "oil:liquid",
                  "mangoes:diced:salsa", "red onion:diced:salsa", "lime juice:juice:salsa")  # fmt: skip
     assert inside(told, "stir") == {"mangoes", "red onion", "lime juice"}
+
+
+def test_boiled_eggs_come_into_their_sauce_last(steps):
+    told = steps("omelette", "Egg Curry", "eggs:boiled", "oil:liquid", "onion:chopped", "tomatoes:chopped",
+                 "turmeric:ground", "coconut milk:liquid")  # fmt: skip
+    assert first(told, "eggs", "peel") < motions(told).index("simmer")
+    assert "eggs" in inside(told[::-1], "simmer")
+
+
+def test_a_filling_is_closed_in_bought_wrappers_before_they_are_fried(steps):
+    told = steps("seafood", "Crab Rangoon", "wonton wrappers:raw", "cream cheese:block", "crabmeat:canned", "oil:liquid")
+    assert motions(told).index("fold and pinch") < motions(told).index("flip")
+    assert inside(told, "fold and pinch") >= {"crabmeat", "cream cheese"}
+
+
+def test_what_is_sweet_lies_on_a_dough_that_is_baked_before(steps):
+    told = steps("pizza", "Chocolate Dessert Pizza", "pizza dough:whole", "Nutella:creamy", "strawberries:sliced")
+    assert "strawberries" not in heated_with(told, "pizza dough")
