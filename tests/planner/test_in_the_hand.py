@@ -152,7 +152,8 @@ def test_boiled_eggs_come_into_their_sauce_last(steps):
 
 
 def test_a_filling_is_closed_in_bought_wrappers_before_they_are_fried(steps):
-    told = steps("seafood", "Crab Rangoon", "wonton wrappers:raw", "cream cheese:block", "crabmeat:canned", "oil:liquid")
+    told = steps("seafood", "Crab Rangoon", "wonton wrappers:raw", "cream cheese:block", "crabmeat:canned",
+                 "oil:liquid")  # fmt: skip
     assert motions(told).index("fold and pinch") < motions(told).index("flip")
     assert inside(told, "fold and pinch") >= {"crabmeat", "cream cheese"}
 
