@@ -161,3 +161,15 @@ def test_a_filling_is_closed_in_bought_wrappers_before_they_are_fried(steps):
 def test_what_is_sweet_lies_on_a_dough_that_is_baked_before(steps):
     told = steps("pizza", "Chocolate Dessert Pizza", "pizza dough:whole", "Nutella:creamy", "strawberries:sliced")
     assert "strawberries" not in heated_with(told, "pizza dough")
+
+
+def test_balls_called_baked_come_out_of_the_oven_before_their_sauce(steps):
+    told = steps("meatball", "Baked Turkey Meatballs", "ground turkey:raw", "breadcrumbs:crumbs", "egg:uncooked",
+                 "marinara sauce:thick liquid")  # fmt: skip
+    assert motions(told).index("bake") < motions(told).index("simmer")
+
+
+def test_leaves_under_the_heading_of_a_sauce_lie_below_it(steps):
+    told = steps("seafood", "Shrimp Cocktail", "shrimp:peeled", "ketchup:sauce:sauce", "horseradish:creamy:sauce",
+                 "lemon juice:juice:sauce", "lettuce:leaves:sauce")  # fmt: skip
+    assert inside(told, "stir") == {"ketchup", "horseradish", "lemon juice"}

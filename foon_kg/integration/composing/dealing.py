@@ -110,8 +110,10 @@ class _Dealer:
 
     def deal_as_told(self, line: str, wishes: Sequence[_Wish]) -> None:
         """Put what the recipe says is for a line where one of its ``wishes`` means it, else where the first one is."""
+        poured = line in word_list("is poured over what lies below")
         for join in self.joins:
-            if join.want.part == line:
+            below = poured and join.want.facts.is_a(*word_list("lies below what is poured"))
+            if join.want.part == line and not below:
                 wish = next((wish for wish in wishes if means(wish.foods, join.want, self.around)), wishes[0])
                 self._put(join, wish)
                 self.taken[join.want.number] = line

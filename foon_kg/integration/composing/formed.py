@@ -56,7 +56,7 @@ def formed(
     wet = [join for join in joins if mass.is_sauce(join)]
     smooth = mass.smoothed(wet)
     mix, shape, whisk, top = fresh(MIX, replace(SHAPE, label=_portions(told)), WHISK, TOP)
-    cooked = _cooked(Line((mix, shape)), goal, baked=baked and not wet)
+    cooked = _cooked(Line((mix, shape)), goal, baked=baked)
     sauce = replace(SIMMER, adds=(Line((whisk,)),)) if smooth else replace(SIMMER)
 
     def stage_of(join: Join) -> Stage:
