@@ -57,7 +57,7 @@ def formed(
     smooth = mass.smoothed(wet)
     mix, shape, whisk, top = fresh(MIX, replace(SHAPE, label=_portions(told)), WHISK, TOP)
     cooked = _cooked(Line((mix, shape)), goal, baked=baked)
-    sauce = replace(SIMMER, adds=(Line((whisk,)),)) if smooth else replace(SIMMER)
+    sauce = _sauced(wet, (Line((whisk,)),) if smooth else ())
 
     def stage_of(join: Join) -> Stage:
         if mass.is_of_mass(join, alone=False):
@@ -84,6 +84,12 @@ def _cooked(shaped: Line, goal: str, *, baked: bool) -> tuple[Stage, ...]:
     if baked:
         return (replace(BAKE, adds=(shaped,), vessel="baking tray", relation="on"),)
     return (replace(COOK, adds=(shaped,), label=goal), *fresh(TURN, COOK))
+
+
+def _sauced(wet: Sequence[Join], adds: tuple[Line, ...]) -> Stage:
+    """Return the stage at which what is ``wet`` joins what is shaped; there is a sauce only where some of it runs."""
+    lies = all(join.want.facts.is_a(*word_list("only lies in a sauce")) for join in wet)
+    return replace(COOK if lies else SIMMER, adds=adds)
 
 
 def _portions(told: frozenset[str]) -> str:
