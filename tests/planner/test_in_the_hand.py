@@ -173,3 +173,29 @@ def test_leaves_under_the_heading_of_a_sauce_lie_below_it(steps):
     told = steps("seafood", "Shrimp Cocktail", "shrimp:peeled", "ketchup:sauce:sauce", "horseradish:creamy:sauce",
                  "lemon juice:juice:sauce", "lettuce:leaves:sauce")  # fmt: skip
     assert inside(told, "stir") == {"ketchup", "horseradish", "lemon juice"}
+
+
+def test_a_sauce_that_the_title_names_is_around_what_is_shaped(steps):
+    told = steps("meatball", "Teriyaki Meatballs", "ground chicken:raw", "breadcrumbs:crumbs", "egg:uncooked",
+                 "teriyaki sauce:sauce")  # fmt: skip
+    assert inside(told, "mix") == {"ground chicken", "breadcrumbs", "egg"}
+
+
+def test_filled_rolls_are_baked_under_what_is_brushed_on_them(steps):
+    told = steps("sandwich", "Ham and Cheese Sliders", "rolls:whole", "ham:sliced", "Swiss cheese:block",
+                 "butter:melted", "Dijon mustard:creamy", "poppy seeds:seed")  # fmt: skip
+    assert heated_with(told, "rolls") >= {"ham", "Swiss cheese"}
+    assert inside(told, "stir") >= {"butter", "Dijon mustard"}
+
+
+def test_herbs_and_oil_under_the_heading_of_a_sauce_are_blended(steps):
+    told = steps("seafood", "Sea Bass with Salsa Verde", "sea bass:raw", "salt:granulated", "parsley:leaf:sauce",
+                 "capers:whole:sauce", "olive oil:liquid:sauce")  # fmt: skip
+    assert inside(told, "blend") == {"parsley", "capers", "olive oil"}
+
+
+def test_fish_for_flat_bread_is_turned_in_a_batter_where_one_can_be_whisked(steps):
+    told = steps("seafood", "Fish Tacos", "cod:cut", "flour:powder", "beer:liquid", "oil:liquid", "corn tortillas:plain",
+                 "cabbage:shredded")  # fmt: skip
+    assert inside(told, "whisk") == {"flour", "beer"}
+    assert "beer" in heated_with(told, "cod")

@@ -50,7 +50,7 @@ def formed(
     ``baked``: it comes out of an oven. Nothing changes where there is nothing to be shaped, or where balls are but a
     part of the dish: with pasta, in a soup.
     """
-    mass = _Mass(joins, known)
+    mass = _Mass(joins, known, told)
     if not mass.is_the_dish or not word_list("boils in the dish").isdisjoint(told):
         return line, tuple(joins)
     wet = [join for join in joins if mass.is_sauce(join)]
@@ -122,8 +122,9 @@ def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Lin
 class _Mass:
     """What of a recipe's foods is mixed to be shaped."""
 
-    def __init__(self, joins: Sequence[Join], known: Tables) -> None:
+    def __init__(self, joins: Sequence[Join], known: Tables, told: frozenset[str] = frozenset()) -> None:
         self.known = known
+        self.told = told
         self.joins = joins
         self.main = self._main()
         facts = [join.want.facts for join in joins]
@@ -155,7 +156,13 @@ class _Mass:
 
     def _is_around(self, join: Join) -> bool:
         """Whether a food runs around what is shaped: it soaks nothing, and the recipe lists it for no mass."""
-        return _runs_around(join.want.facts) and not _is_listed_for_it(join) and not self._soaks_what_binds(join)
+        runs = _runs_around(join.want.facts) or self._is_the_title_s(join)
+        return runs and not _is_listed_for_it(join) and not self._soaks_what_binds(join)
+
+    def _is_the_title_s(self, join: Join) -> bool:
+        """Whether the title names what would else season a mass: the sauce of teriyaki meatballs is around them."""
+        named = not self.told.isdisjoint(words(join.want.label))
+        return named and join.want.facts.is_a(*word_list("is around a mass where a title names it"))
 
     def holds(self, join: Join) -> bool:
         """Whether raw grain is shaped with the rest and done in the sauce, before which it is listed."""
@@ -189,7 +196,7 @@ class _Mass:
             return False
         if self._is_surely_of_it(join):
             return True
-        if facts.is_a("fat") or _runs_around(facts):
+        if facts.is_a("fat") or self._is_around(join):
             return False
         if facts.is_a(*word_list("binds a mass or a sauce")):
             return not self.wet
@@ -207,6 +214,8 @@ class _Mass:
 
     def _is_surely_of_it(self, join: Join) -> bool:
         """Whether a food is what is shaped, binds or seasons it, is held in it, or listed for it."""
+        if self._is_the_title_s(join):
+            return _is_listed_for_it(join)
         if join in self.main or self.holds(join) or self._soaks_what_binds(join) or self._is_listed_before(join):
             return True
         binds = join.want.facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass"))
@@ -239,7 +248,7 @@ class _Mass:
         facts = join.want.facts
         if facts.is_a("fat") or self.lies_on_it(join) or self.is_of_mass(join, alone=False):
             return False
-        if _runs_around(facts) or self._is_listed_after(join):
+        if _runs_around(facts) or self._is_the_title_s(join) or self._is_listed_after(join):
             return True
         return self.wet and not self.is_of_mass(join, alone=True)
 
