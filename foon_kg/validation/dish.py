@@ -52,7 +52,7 @@ def _unbaked(case: Case, goal: ObjectNode) -> Iterator[Finding]:
         return
     for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), case.title):
         bought = any(part.food.is_a(dish.name) for part in case.parts)  # bread that somebody dips was baked before
-        if dish.baked and not bought and not _sets_cold(case, dish):
+        if dish.baked and not bought and not _sets_cold(case, dish) and not _is_flat(case, dish):
             yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (goal,))
 
 
@@ -136,6 +136,14 @@ def _sets_cold(case: Case, dish: Dish) -> bool:
     """Whether a dish that may be chilled on crumbs or biscuits has nothing in it that wants an oven."""
     raw = any(part.food.is_a("dough", "egg", "flour") for part in case.parts)
     return dish.name in word_list("sets cold on crumbs") and not raw
+
+
+def _is_flat(case: Case, dish: Dish) -> bool:
+    """Whether a dish that may be made in a pan was rolled thin, and nothing is in it that raises it."""
+    raises = word_list("makes dough rise") | {"egg", "leaven"}
+    flat = dish.name in word_list("is done in a pan where it is flat") and _was_hot(case)
+    thin = any(happening.does("shape") for happening in case.happenings)
+    return flat and thin and not any(part.food.is_a(*raises) for part in case.parts)
 
 
 def missing(case: Case, label: str, *texts: str) -> Iterator[str]:

@@ -170,3 +170,65 @@ def test_eggs_set_in_the_cups_of_a_tin(steps):
 def test_flakes_of_salt_lie_on_a_bread_that_has_salt_in_it(steps):
     told = steps("bread", "", *DOUGH, "rosemary:chopped", "salt:flakes")
     assert motions(told).index("shape") < max(n for n, (inputs, _, _) in enumerate(told) if "salt" in inputs)
+
+
+def test_a_cooked_cream_and_a_glaze_of_chocolate_come_on_a_cold_cake(steps):
+    cream = ("half and half:liquid:cream", "egg yolks:uncooked:cream", "sugar:granulated:cream", "flour:powder:cream")
+    glaze = ("heavy cream:liquid:glaze", "dark chocolate:bar:glaze")
+    told = steps("cake", "Boston Cream Pie", *BATTER, *cream, *glaze)
+    assert {"egg yolks", "half and half"} <= inside(told, "cook and stir")
+    assert {"egg yolks", "heavy cream", "dark chocolate"}.isdisjoint(inside(told, "bake"))
+
+
+def test_whites_that_are_listed_beside_yolks_are_whipped_and_folded_in_last(steps):
+    told = steps("cake", "Chiffon Cake", "flour:powder", "sugar:granulated", "oil:liquid", "water:liquid",
+                 "egg yolks:uncooked", "egg whites:uncooked", "baking powder:powder")  # fmt: skip
+    assert first(told, "egg whites", "beat") < first(told, "egg whites", "fold") < motions(told).index("bake")
+
+
+def test_ice_cream_lies_on_crumbs_and_freezes(steps):
+    told = steps("cake", "", "oreo:crushed", "butter:melted", "ice cream:creamy", "chocolate syrup:thick sauce")
+    assert "bake" not in motions(told)
+    assert {"oreo", "butter"} == inside(told, "press")
+
+
+@pytest.mark.parametrize("word", ["rolling", "coating"])
+def test_what_is_dropped_from_a_spoon_is_shaped_before_it_is_rolled_in_anything(steps, word):
+    told = steps("cookie", "Molasses Drops", *BATTER, f"powdered sugar:powder:{word}")
+    assert motions(told).index("shape") < motions(told).index("dip") < motions(told).index("bake")
+
+
+def test_dough_that_nothing_raises_is_rolled_thin_and_cooked_in_a_pan(steps):
+    told = steps("bread", "", "flour:ground", "salt:ground", "water:juice", "oil:juice", "onion:chopped")
+    assert motions(told).index("knead") < motions(told).index("roll") < motions(told).index("flip")
+    assert "bake" not in motions(told)
+
+
+def test_sausage_is_fried_before_it_comes_to_a_batter(steps):
+    told = steps("muffin", "Breakfast Muffins", "sausage:raw", "baking mix:powder", "eggs:uncooked", "milk:liquid")
+    assert first(told, "sausage", "cook") < first(told, "eggs", "whisk")
+
+
+def test_cake_is_crumbled_and_shaped_before_it_is_dipped(steps):
+    told = steps("cake", "Cake Pops", "cake mix:powder", "eggs:uncooked", "oil:liquid", "frosting:creamy",
+                 "chocolate:bar")  # fmt: skip
+    assert motions(told).index("bake") < motions(told).index("shape") < motions(told).index("chill")
+    assert "frosting" not in inside(told, "bake")
+
+
+def test_what_a_recipe_tells_of_a_line_of_its_technique_joins_it_once(steps):
+    told = steps("cake", "Basbousa", "semolina:powder", "sugar:granulated", "yogurt:creamy", "butter:melted",
+                 "sugar:granulated:syrup", "water:liquid:syrup")  # fmt: skip
+    into = [inputs for inputs, motion, outs in told if motion == "pour" and {"sugar", "saucepan"} <= inputs]
+    assert len([one for one in into if "container" in one]) == 1
+
+
+def test_butter_and_syrup_are_hot_when_oats_meet_them(steps):
+    told = steps("cookie", "Anzac Biscuits", "oats:rolled", "flour:powder", "coconut:flakes", "sugar:granulated",
+                 "butter:unmelted", "golden syrup:thick liquid", "baking soda:powder", "water:boiling")  # fmt: skip
+    assert first(told, "golden syrup", "cook and stir") < motions(told).index("shape") < motions(told).index("bake")
+
+
+def test_buns_for_sausages_need_none(steps):
+    told = steps("bread", "Hot Dog Buns", *DOUGH, "milk:juice", "butter:softened")
+    assert "bake" in motions(told)

@@ -231,6 +231,33 @@ def test_k5_what_is_baked_was_not_boiled_or_fried(tree):
     assert told.endswith(f": {NEVER_BAKED}")
 
 
+def rolled_and_fried(*foods):
+    """Steps that roll out a dough of some foods and fry it."""
+    holds = "{" + ", ".join(sorted(foods)) + "}"
+    return f"""
+{" + ".join(foods)} + board (empty) + spoon → MIX → dough ({holds}; on board) + board ({{dough}})
+dough ({holds}; on board) + board ({{dough}}) + rolling pin → ROLL → dough (flattened; {holds}; on board)
+pan (empty) + stove (off) → PUT → pan (empty; on stove) + stove (off; under pan)
+dough (flattened; {holds}; on board) + pan (empty; on stove) → PUT → dough (flattened; {holds}; in pan)
+stove (off; under pan) → TURN ON → stove (on; under pan)
+dough (flattened; {holds}; in pan) + stove (on; under pan) → FRY → bread (fried; {holds}; in pan)
+"""
+
+
+def test_k5_bread_that_nothing_raises_is_rolled_and_fried():
+    assert found("K5", recipe("bread", "flour; salt") + rolled_and_fried("flour", "salt")) == []
+    (told,) = found("K5", recipe("bread", "flour; yeast") + rolled_and_fried("flour", "yeast"))
+    assert told.endswith(f": {NEVER_BAKED}")
+    (told,) = found("K5", recipe("bread", "flour; salt") + heated("bread", "flour", "salt"))
+    assert told.endswith(f": {NEVER_BAKED}")
+
+
+def test_k5_a_cake_of_ready_biscuits_sets_cold_and_one_with_flour_does_not():
+    assert found("K5", recipe("cake", "ladyfinger; mascarpone") + served("cake", "ladyfinger", "mascarpone")) == []
+    told = found("K5", recipe("cake", "ladyfinger; flour") + served("cake", "ladyfinger", "flour"))
+    assert told[-1].endswith(": “cake”, and it was never baked")
+
+
 def test_k5_a_title_may_say_that_a_dish_is_baked_and_a_goal_alone_does_not():
     tree = heated("bread", "flour", "yeast")
     assert found("K5", tree) == []

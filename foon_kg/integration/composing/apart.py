@@ -11,11 +11,14 @@ from foon_kg.food.parted import PART, comes_apart, parts_in
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
 from foon_kg.integration.composing.components import Side, sides_of
+from foon_kg.integration.composing.dealing import MAIN
 from foon_kg.integration.composing.techniques import technique_for
 from foon_kg.integration.preparing.preparation import SECOND, Want
 from foon_kg.model import Recipe
 
 _PARTED = 5 * SECOND
+WHOLE = "whole"
+"""The plan of a technique that is none for a dish whose parts a recipe tells apart."""
 
 
 class Apart(NamedTuple):
@@ -59,25 +62,32 @@ def _parted(
     """Return what components take of foods, and what is left for which technique."""
     told = words(recipe.title or "")
     technique = technique_for(recipe.dish_type, told, foods, recorded)
-    kept = _foam(foods, technique)
+    kept = _for_its_lines(foods, technique)
     rest = [want for want in foods if want not in kept]
-    own, sides = sides_of(rest, dishes, recipe.dish_type, recipe.title or "", baked=baked)
-    own = (*own, *kept)
+    own, sides = sides_of(rest, kept, dishes, recipe.dish_type, recipe.title or "", baked=baked)
     left = technique_for(recipe.dish_type, told, own, recorded)
-    if technique is not None and _is_whole(technique, left, sides):
+    if not _is_named(sides):
+        return Apart(foods, own, sides, left)
+    if left is None and _says_what_is_put_on(technique):
         return Apart(foods, foods, (), technique)
-    return Apart(foods, own, sides, left)
+    return Apart(foods, own, sides, None if left is not None and WHOLE in left.plan else left)
 
 
-def _is_whole(technique: Technique, left: Technique | None, sides: Sequence[Side]) -> bool:
-    """Whether a technique says itself what is put on what, and what the ``sides`` leave is none for it any more.
+def _says_what_is_put_on(technique: Technique | None) -> bool:
+    """Whether a technique says itself what is put on what, so that its dish needs no components."""
+    return technique is not None and bool(technique.called) and WHOLE not in technique.plan
 
-    ``left`` is the technique for what they leave: another one only where the first has no lines for their parts.
-    """
-    parts = {want.part for side in sides for want in side.wants} - {""}
-    if not parts or not technique.called or "whole" in technique.plan:
-        return False
-    return left is None or (left is not technique and not parts.isdisjoint(technique.lines))
+
+def _is_named(sides: Sequence[Side]) -> bool:
+    """Whether a recipe says itself of any food for which part it is."""
+    return any(want.part for side in sides for want in side.wants)
+
+
+def _for_its_lines(foods: Sequence[Want], technique: Technique | None) -> tuple[Want, ...]:
+    """Return the foods of which a recipe says that they are for a line of a technique; of a whole one, its foam."""
+    if technique is None or WHOLE in technique.plan:
+        return _foam(foods, technique)
+    return tuple(want for want in foods if want.part and want.part in technique.lines and want.part != MAIN)
 
 
 def _foam(foods: Sequence[Want], technique: Technique | None) -> tuple[Want, ...]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import Around, Component, Foods, Technique, components, works
+from foon_kg.food.techniques import NOWHERE, Around, Component, Foods, Technique, components, works
 from foon_kg.integration.composing.dealing import means
 from foon_kg.integration.composing.techniques import carried_out, stage_of
 from foon_kg.integration.joining.course import HEATS, MIXES
@@ -41,15 +41,15 @@ class Side:
 
 
 def sides_of(
-    wants: Sequence[Want], dishes: Iterable[Dish], dish_type: str, title: str, *, baked: bool
+    wants: Sequence[Want], kept: Sequence[Want], dishes: Iterable[Dish], dish_type: str, title: str, *, baked: bool
 ) -> tuple[tuple[Want, ...], tuple[Side, ...]]:
     """Return what is left of the foods of a recipe, and the components that are made beside it.
 
-    ``baked``: its name says that the dish comes out of an oven.
+    ``kept`` are foods that are for none. ``baked``: its name says that the dish comes out of an oven.
     """
     held = {name for name in _HOLDS if any(getattr(dish, name) for dish in dishes)}
     held |= {"baked"} if baked or "tin" in held else set()
-    finder = _Finder(wants, held, dish_type, words(title))
+    finder = _Finder(wants, kept, held, dish_type, words(title))
     sides = tuple(side for component in components() if (side := finder.side(component)) is not None)
     return tuple(finder.rest), sides
 
@@ -57,8 +57,10 @@ def sides_of(
 class _Finder:
     """The foods of one recipe, of which those of each component are taken out: ``rest`` is what is left."""
 
-    def __init__(self, wants: Sequence[Want], held: Collection[str], dish_type: str, told: Sequence[str]) -> None:
-        self.rest = list(wants)
+    def __init__(
+        self, wants: Sequence[Want], kept: Sequence[Want], held: Collection[str], dish_type: str, told: Sequence[str]
+    ) -> None:
+        self.rest = [*wants, *kept]
         self.held = held
         self.dish_type = dish_type
         self.told = told
@@ -72,12 +74,12 @@ class _Finder:
             return None
         around = self._around()
         places = self._places(component, around)
-        if not places or len(places) == len(self.listed):
+        if not places:
             return None
         found = tuple(dict.fromkeys(self.listed[place] for place in sorted(places)))
         whole = self._used_up(found, places)
         rest = [want for want in self.rest if want not in whole]
-        if not self._suits(component, found, rest, around):
+        if not rest or not self._suits(component, found, rest, around):
             return None
         self._take(component, places, rest)
         return Side(component, tuple(want if want in whole else self._second(want) for want in found))
@@ -120,7 +122,10 @@ class _Finder:
 
     def _places(self, component: Component, around: Around) -> set[int]:
         """Return the places in the recipe of the foods of a component."""
-        found = self._told(component, around) or self._guessed(component, around)
+        told = self._told(component, around)
+        if len(told) > 1 and _have(component.technique.needs, self._at(told), around):
+            return told  # a heading stands above it
+        found = told or self._guessed(component, around)
         if found:
             return self._with_neighbours(found, component, around)
         if component.again and component.technique.is_called(self.dish_type, self.told):
@@ -276,14 +281,22 @@ def _with_side(
 
 def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
     """Return a line with ``target`` at its place, that stage there, and by identity what became of others."""
-    stages = line.stages
-    bakes = [place for place, stage in enumerate(stages) if stage.does >= {"dry", "heat"}]
     worked = _worked_at(line, at)
     if worked:
         return _attached_to(line, worked, target, at)
-    if bakes and at in {"before", "shaped"}:
+    bakes = [place for place, stage in enumerate(line.stages) if stage.does >= {"dry", "heat"}]
+    return _attached_baked(line, bakes, target, at) if bakes else _attached_last(line.stages, target, at)
+
+
+def _attached_baked(line: Line, bakes: Sequence[int], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return a line with ``target`` at its place, where it is baked at the places ``bakes``; as :func:`_attached`."""
+    stages = line.stages
+    mixed = [stage for stage in stages[: bakes[0]] if not stage.does.isdisjoint(MIXES)]
+    if mixed and at == "shaped":
+        return _attached_shaped(line, mixed[-1], target)
+    if at in {"before", "shaped"}:
         return _attached_before(stages, bakes[-1], target)
-    if bakes and at == "under":
+    if at == "under":
         tin = stages[bakes[0]].vessel
         return line, next(stage for stage in stages if stage.vessel == tin), {}
     return _attached_last(stages, target, at)
@@ -309,6 +322,14 @@ def _attached_to(line: Line, worked: Sequence[Stage], target: Stage, at: str) ->
         return whole, changed[id(mixing)], changed
     became: dict[int, Stage] = {}
     return _with_next(line, worked[-1], target, became), target, became
+
+
+def _attached_shaped(line: Line, mixing: Stage, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return a line in which what a stage mixes is shaped, and comes to ``target`` then."""
+    became: dict[int, Stage] = {}
+    shape = replace(stage_of("shape"), vessel=mixing.vessel)
+    line = _with_next(line, mixing, shape, became)
+    return _with_next(line, shape, target, became), target, became
 
 
 def _attached_before(stages: Sequence[Stage], place: int, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
@@ -353,9 +374,15 @@ def _folded(
 
 
 def _other_part(side: Side, joins: Sequence[Join]) -> Join | None:
-    """Return the first food that comes of the same one as a food of a component, when that is opened."""
+    """Return the first food that comes of the same one as a food of a component, when that is opened.
+
+    Where each part of it is listed by itself that is the one beside which the component stands.
+    """
     whole = [want.of for want in side.wants if want.of is not None]
-    return next((join for join in joins if join.want.of in whole), None)
+    other = next((join for join in joins if join.want.of in whole), None)
+    if other is not None or side.component.at != "folded":
+        return other
+    return next((join for join in joins if _are(side.component.beside[0], join.want, NOWHERE)), None)
 
 
 def _with_next(line: Line, stage: Stage, target: Stage, became: dict[int, Stage]) -> Line:

@@ -77,7 +77,8 @@ def dealt(technique: Technique, joins: Sequence[Join], around: Around) -> list[D
         dealer.deal_as_told(line, [wish for wish in wishes if wish.line == line])
     for wish in wishes:
         if wish.foods.again:
-            dealer.deal_again(wish)
+            if not dealer.has_as_told(wish):
+                dealer.deal_again(wish)
         elif wish.line not in apart:
             dealer.deal(wish)
     dealer.deal_the_others()
@@ -117,6 +118,10 @@ class _Dealer:
                 wish = next((wish for wish in wishes if means(wish.foods, join.want, self.around)), wishes[0])
                 self._put(join, wish)
                 self.taken[join.want.number] = line
+
+    def has_as_told(self, wish: _Wish) -> bool:
+        """Whether the recipe says itself that a food that a wish means is for its line."""
+        return wish.line in self.told and any(join.want.part == wish.line for join in self._meant(wish))
 
     def deal(self, wish: _Wish) -> None:
         """Put the foods that a wish means there, unless they are somewhere already."""
