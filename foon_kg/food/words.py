@@ -23,6 +23,8 @@ _BESIDES = re.compile(r"\bplus\b|\b(?:more|extra|some)(?= (?:for|to)\b)", re.IGN
 _USE = re.compile(r"[,(]?\s*\b(?:for|to) (?:the |an? )?(?P<words>[a-z][a-z -]*)\)?", re.IGNORECASE)
 _USES = {"serve": "serving", "garnish": "garnish", "finish": "finishing", "decorate": "garnish"}
 """What is said with "to", and for what a food is then."""
+_ALIKE = {"swirl": "filling"}
+"""Parts of a dish by another name."""
 
 
 @functools.lru_cache(maxsize=1 << 16)
@@ -88,7 +90,7 @@ def without_part(text: str) -> tuple[str, str]:
     besides = _BESIDES.search(text)
     for use in _USE.finditer(text) if besides is None else _USE.finditer(text, 0, besides.start()):
         said = use["words"].lower().split()
-        found = next((word for word in said if word in _named()), _USES.get(said[0], ""))
+        found = next((_ALIKE.get(word, word) for word in said if word in _named()), _USES.get(said[0], ""))
         if found:
             return f"{text[: use.start()]}{text[use.end() :]}".strip(), found
     return text, ""
@@ -105,7 +107,7 @@ def heading_part(text: str) -> str:
     said = list(reversed(re.findall(r"[^\W\d_]+", text.lower())))
     named = next((word for word in said if word in _named()), "")
     own = (part for part in ("sauce", "salsa") if not word_list(f"is a {part} by its name").isdisjoint(said))
-    return named or next(own, "")
+    return _ALIKE.get(named, named) or next(own, "")
 
 
 def _named() -> frozenset[str]:

@@ -308,11 +308,16 @@ def _parts_of(case: Case, food: str) -> list[Part]:
 
 def _left_out(case: Case, part: Part, last: int) -> bool:
     """Whether a part came to the dish after its ``last`` mixing, and is not of what is laid on or stirred in there."""
-    if part.mixed == last or (part.mixed is not None and part.food.is_a("egg", "flour")):
+    if part.mixed == last or (part.mixed is not None and _is_of_a_dough(case, part.mixed)):
         return False  # it came on with the mixture: batter into a greased tin, a pancake under its sauce
     if part.joined is None or part.joined <= last or part.food.is_a(*_COMES_LAST):
         return False
     return not _is_baked_on(case, part.joined) and not _crowns(case, part)
+
+
+def _is_of_a_dough(case: Case, step: int) -> bool:
+    """Whether what was mixed last at a step makes a dough or batter: egg or flour was, too."""
+    return any(part.mixed == step and part.food.is_a("egg", "flour") for part in case.parts)
 
 
 def _is_baked_on(case: Case, joined: int) -> bool:

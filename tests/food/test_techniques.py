@@ -13,7 +13,7 @@ ROWS = (*techniques(), *(row for when in ("ways", "dipped", "flesh", "warmed", "
 SAID = {"as mash", "due", "in one piece", "in pieces", "portion", "raw", "runs", "several"}
 """What ways ask of how a food is named and comes, and no state."""
 
-PLANS = {"by table", "cold", "one pot"}
+PLANS = {"by table", "cold", "one pot", "whole"}
 
 
 def parts(technique):

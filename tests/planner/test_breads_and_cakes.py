@@ -232,3 +232,53 @@ def test_butter_and_syrup_are_hot_when_oats_meet_them(steps):
 def test_buns_for_sausages_need_none(steps):
     told = steps("bread", "Hot Dog Buns", *DOUGH, "milk:juice", "butter:softened")
     assert "bake" in motions(told)
+
+
+def test_gelatin_in_boiling_water_soaks_a_cake_that_is_baked(steps):
+    told = steps("cake", "", "cake mix:ground", "egg:whole raw", "oil:juice", "water:juice", "gelatin:ground",
+                 "water:boiling", "whipped topping:whipped")  # fmt: skip
+    assert {"gelatin", "whipped topping"}.isdisjoint(inside(told, "bake"))
+    assert motions(told).index("bake") < first(told, "gelatin", "stir") < motions(told).index("chill")
+
+
+def test_soft_cheese_and_eggs_are_baked_on_crumbs_that_are_pressed_by_themselves(steps):
+    told = steps("cake", "Cheesecake", "graham crackers:crumbs", "butter:melted", "cream cheese:softened",
+                 "sugar:granulated", "eggs:uncooked")  # fmt: skip
+    assert {"cream cheese", "eggs"}.isdisjoint(inside(told, "press"))
+    assert first(told, "cream cheese", "blend") < first(told, "eggs", "whisk") < motions(told).index("bake")
+
+
+def test_half_the_crumbs_of_oats_lie_on_jam(steps):
+    told = steps("cake", "", "flour:ground", "oats:rolled", "brown sugar:ground", "butter:melted", "jam:thick sauce")
+    assert "jam" not in inside(told, "press")
+    assert "jam" in inside(told, "bake")
+
+
+def test_the_swirl_of_a_loaf_is_rolled_up_in_its_dough(steps):
+    told = steps("bread", "Cinnamon Bread", *DOUGH, "butter:softened", "sugar:granulated:filling",
+                 "cinnamon:ground:filling")  # fmt: skip
+    assert "cinnamon" not in first_inputs(told, "knead")
+    assert any(node.container == "loaf pan" for _, one, outs in told if one == "bake" for node in outs)
+
+
+def test_chocolate_for_dipping_is_melted_for_what_is_baked_and_cold(steps):
+    told = steps("cookie", "Shortbread", "flour:powder", "butter:softened", "sugar:granulated",
+                 "dark chocolate:bar:dipping")  # fmt: skip
+    assert "dark chocolate" not in inside(told, "bake")
+    assert motions(told).index("bake") < max(n for n, (inputs, _, _) in enumerate(told) if "dark chocolate" in inputs)
+
+
+def test_a_glaze_comes_on_fritters_that_are_fried_and_a_dip_lies_beside(steps):
+    told = steps("bread", "Apple Fritters", "flour:powder", "baking powder:powder", "eggs:uncooked", "milk:liquid",
+                 "apples:diced", "oil:liquid:frying", "powdered sugar:powder:glaze", "milk:liquid:glaze")  # fmt: skip
+    assert first_inputs(told, "stir") >= {"powdered sugar", "milk"}
+    dipped = steps("bread", "Cheesy Breadsticks", "pizza dough:whole", "butter:melted", "mozzarella:shredded",
+                   "marinara sauce:sauce:dipping")  # fmt: skip
+    assert "marinara sauce" not in inside(dipped, "bake")
+
+
+def test_ice_cream_is_frozen_before_beaten_whites_are_browned_on_it(steps):
+    told = steps("cake", "Baked Alaska", "sponge cake:whole", "ice cream:frozen", "egg whites:uncooked",
+                 "sugar:granulated")  # fmt: skip
+    assert motions(told).index("whisk") < motions(told).index("bake")
+    assert first(told, "ice cream", "chill") < motions(told).index("bake")
