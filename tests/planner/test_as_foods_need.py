@@ -126,3 +126,33 @@ def test_a_curry_that_is_called_by_its_flesh_is_cooked_in_one_pot_and_lime_comes
 def test_beans_are_the_peas_of_rice_and_peas(public_plans):
     plan = public_plans("rice", "Rice and Peas", "kidney bean:dried", "coconut milk:liquid", "rice:uncooked", "salt:")
     assert plan.units
+
+
+def test_wine_comes_before_other_liquids_and_tomato_paste_is_fried(steps):
+    told = steps(
+        "beef", "Beef Stew", "beef chuck:cubed", "onion:chopped", "oil:liquid", "garlic:minced", "red wine:liquid",
+        "beef stock:liquid", "tomato paste:paste",
+    )  # fmt: skip
+    came = [
+        food for inputs, motion, _ in told for food in ("garlic", "tomato paste", "red wine", "beef stock")
+        if food in inputs and "pot" in inputs and "pour" in motion
+    ]  # fmt: skip
+    assert came == ["garlic", "tomato paste", "red wine", "beef stock"]
+
+
+def test_sesame_oil_comes_last_where_there_is_other_oil_and_first_where_there_is_none(steps):
+    foods = ("noodle:uncooked", "carrot:sliced", "chicken breast:sliced", "soy sauce:liquid", "sesame oil:liquid")
+    told = steps("noodle", "Stir-Fried Noodles", *foods, "vegetable oil:liquid")
+    assert first(told, "vegetable oil", "pour") < first(told, "carrot", "pour") < first(told, "sesame oil", "pour")
+    told = steps("noodle", "Stir-Fried Noodles", *foods)
+    assert first(told, "sesame oil", "pour") < first(told, "carrot", "pour")
+
+
+def test_the_rest_is_fried_in_the_fat_that_bacon_left_where_no_other_is_asked(steps):
+    told = steps("omelette", "Bacon Frittata", "bacon:chopped", "onion:sliced", "egg:whole", "milk:liquid", "salt:")
+    assert sum(motion == "pick-and-place" and {"cooking pan", "stove"} <= inputs for inputs, motion, _ in told) == 1
+
+
+def test_mint_that_is_mixed_into_a_salad_is_chopped(steps):
+    told = steps("salad", "Tabbouleh", "bulgur:", "parsley:fresh", "mint:fresh", "lemon juice:juice", "olive oil:")
+    assert "chop" in [motion for inputs, motion, _ in told if "mint" in inputs]

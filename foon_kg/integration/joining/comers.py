@@ -36,7 +36,7 @@ class Comer:
         facts = self.facts
         if facts is None:
             return (True, True, False, False)
-        first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"))
+        first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"), *word_list("boils away"))
         return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts), facts.is_a(*_CURDLES))
 
     @property
@@ -159,6 +159,15 @@ def untoasted(comers: Sequence[Comer]) -> list[Comer]:
         return list(comers)
     toasted = word_list("is toasted")
     return [replace(c, phase=WET) if c.facts is not None and c.facts.is_a(*toasted) else c for c in comers]
+
+
+def finishing_fat_last(comers: Sequence[Comer]) -> list[Comer]:
+    """Return ``comers`` with fat that only gives its taste at the end, where there is other fat to fry in."""
+    fats = [comer for comer in comers if comer.facts is not None and comer.facts.is_a("fat")]
+    last = [comer for comer in fats if comer.facts is not None and comer.facts.is_a(*word_list("is fat for its taste"))]
+    if len(last) == len(fats):
+        return list(comers)
+    return [replace(comer, phase=LAST) if comer in last else comer for comer in comers]
 
 
 def boils(comers: Iterable[Comer]) -> bool:

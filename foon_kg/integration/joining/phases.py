@@ -24,6 +24,7 @@ from foon_kg.integration.joining.comers import (
     Comer,
     Medium,
     boils,
+    finishing_fat_last,
     in_parts,
     is_bath,
     is_dry_binder,
@@ -248,6 +249,7 @@ class _Phaser:
         apart = not self.plan.one_pot
         water = [Comer(medium.water, None, WET)] if medium.water is not None else []
         foods = [Comer(join, join.want.facts, phase_in(join, medium, apart=apart)) for join in vessel.joins]
+        foods = finishing_fat_last(foods)
         lines = [Comer(adds[id(line)], None, self._phase_of_line(line, bath=medium.bath)) for line in vessel.lines]
         return water + foods + lines
 
@@ -275,13 +277,13 @@ class _Phaser:
         return found
 
     def _comes_in_turn(self, foods: Sequence[Join]) -> bool:
-        """Whether foods that a video mixes beside a pot are the liquids of that, or what is boiled in them.
+        """Whether foods that a video mixes beside a pot may as well come into it one by one.
 
         Starch that no fat takes up is stirred smooth before, and so is what holds together.
         """
         binds = any_is(foods, *word_list("makes lumps")) and not self._has_fat(foods)
         held = any_is(foods, *word_list("holds a mixture together") - word_list("makes lumps"))
-        return self.plan.one_pot and not binds and not held and any(is_bath(one.want.facts) for one in foods)
+        return self.plan.one_pot and not binds and not held
 
     def _bath_of(self, line: Line) -> list[Join]:
         """Return what of a line may be liquid to cook in: not drained water, nor what eggs are beaten with."""

@@ -253,6 +253,17 @@ class Alone:
 
         bench.emit(attested, [pan, (device, pan), *pan.contents], change, [pan, *pan.contents])
         bench.switch(pan, device, on=False)
+        if want.facts.is_a(*word_list("is fried until its fat runs")):
+            self._leave_its_fat(ready, pan)
+
+    def _leave_its_fat(self, ready: Ready, pan: Vessel) -> None:
+        """Lift a food out of the pan where its fat is all that the rest can be fried in."""
+        if any(join.want.facts.is_a("fat") for join in self.plan.joins):
+            return
+        if not ready.cut_later:
+            lifted = self.bench.require([("pick-and-place", ()), ("pour", ())], ready.want.names)
+            self.bench.bring([ready.stuff], self.bench.vessel("plate"), lifted)
+        self.carry.pans_with_fat.append(pan)
 
     def _pan_ways(self, ready: Ready, method: Sequence[str]) -> list[Way]:
         """Return the ways to cook a food in a pan: what is in pieces is stirred, as it would burn where it lies."""

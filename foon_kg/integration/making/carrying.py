@@ -27,6 +27,8 @@ class Carrier:
         self.preparer = preparer
         self.bringing = Bringing(bench)
         self.water = Water(bench)
+        self.pans_with_fat: list[Vessel] = []
+        """What a food was fried in by itself whose fat ran out there."""
 
     # --- one food ---
 

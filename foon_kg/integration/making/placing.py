@@ -141,11 +141,25 @@ class Placing(Hands):
         first = next(iter(comers.lines), None)
         if first is not None and first.label == label and (first.device is None or first.device.label == device):
             return comers.lines.pop(0)
+        return self._own_vessel(label, comers) or self._pan_with_fat(label) or self.bench.vessel(label)
+
+    def _own_vessel(self, label: str, comers: Comers) -> Vessel | None:
+        """Return the vessel ``label`` in which one of ``comers`` was cooked before: the rest comes to it."""
         for join in comers.joins:
             own = self.ready[join.want.number].stuff.at
             if own is not None and own.label == label and not own.storage and len(own.contents) == 1:
-                return own  # it was cooked in such a pan before, and the rest comes to it
-        return self.bench.vessel(label)
+                return own
+        return None
+
+    def _pan_with_fat(self, label: str) -> Vessel | None:
+        """Return an empty pan like ``label`` in which something left its fat, if there is one on the stove."""
+        row = self.known.utensil(label)
+        for pan in self.carry.pans_with_fat:
+            other = self.known.utensil(pan.label)
+            like = row is not None and other is not None and row.group == other.group
+            if like and not pan.contents and pan.device is not None:
+                return pan
+        return None
 
     def _stand(self, fresh: Vessel, stage: Stage, device: str) -> None:
         """Put a vessel on an appliance, if any, with the water in which something is boiled at once."""
