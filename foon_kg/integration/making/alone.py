@@ -258,7 +258,9 @@ class Alone:
 
     def _leave_its_fat(self, ready: Ready, pan: Vessel) -> None:
         """Lift a food out of the pan where its fat is all that the rest can be fried in."""
-        if any(join.want.facts.is_a("fat") for join in self.plan.joins):
+        plan = self.plan
+        put_together = plan.stacked or plan.cold or plan.cooled or plan.in_pieces
+        if put_together or any(join.want.facts.is_a("fat") for join in plan.joins):
             return
         if not ready.cut_later:
             lifted = self.bench.require([("pick-and-place", ()), ("pour", ())], ready.want.names)
