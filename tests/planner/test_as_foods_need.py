@@ -141,10 +141,10 @@ def test_wine_comes_before_other_liquids_and_tomato_paste_is_fried(steps):
 
 
 def test_sesame_oil_comes_last_where_there_is_other_oil_and_first_where_there_is_none(steps):
-    foods = ("noodle:uncooked", "carrot:sliced", "chicken breast:sliced", "soy sauce:liquid", "sesame oil:liquid")
-    told = steps("noodle", "Stir-Fried Noodles", *foods, "vegetable oil:liquid")
+    foods = ("rice:cooked", "carrot:sliced", "egg:whole", "soy sauce:liquid", "sesame oil:liquid")
+    told = steps("rice", "", *foods, "vegetable oil:liquid")
     assert first(told, "vegetable oil", "pour") < first(told, "carrot", "pour") < first(told, "sesame oil", "pour")
-    told = steps("noodle", "Stir-Fried Noodles", *foods)
+    told = steps("rice", "", *foods)
     assert first(told, "sesame oil", "pour") < first(told, "carrot", "pour")
 
 
