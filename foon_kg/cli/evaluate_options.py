@@ -16,7 +16,6 @@ from foon_kg.model.written_files import write_file
 if TYPE_CHECKING:
     from foon_kg.evaluation.comparison import Comparison
     from foon_kg.model.json_fields import JsonObject
-    from foon_kg.store.snapshot import Snapshot
 
 T = TypeVar("T")
 A = TypeVar("A")
@@ -70,13 +69,6 @@ class Run:
         if processes > 1 and len(items) >= MANY:
             return spread(make, items, processes)
         return nullcontext(map(make(), items) if items else iter(()))
-
-
-def foon_key(snapshot: Snapshot) -> str:
-    """Return a name for what the FOON of ``snapshot`` knows: equal for equal units."""
-    from foon_kg.model import content_key
-
-    return content_key([known.unit.key for known in snapshot.units])
 
 
 def compared(before: JsonObject, after: JsonObject, where: str, seed: int) -> Comparison:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -19,10 +20,10 @@ if TYPE_CHECKING:
     from foon_kg.evaluation.comparison import Comparison
     from foon_kg.evaluation.figures import RecipeEvaluation
     from foon_kg.evaluation.sheet import FilledSheet
+    from foon_kg.foon import Foon
     from foon_kg.model.json_fields import JsonObject
     from foon_kg.planning.recipes import IngredientWords
     from foon_kg.plans.result import PlanFailure, PlanResult
-    from foon_kg.store.snapshot import Snapshot
 
 EXAMPLES = examples(
     "foon evaluate recipes recipes/ --files subgraphs/",
@@ -81,13 +82,15 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
     from foon_kg.cli.knowledge import whole_foon
     from foon_kg.evaluation.comparison import read_evaluation
     from foon_kg.evaluation.sheet import read_sheet, write_sheet
+    from foon_kg.foon import Foon
 
     say = sayer(quiet=quiet)
     before = None if compare is None else read_evaluation(compare, "recipes")
     sheet = None if scores is None else read_sheet(scores)
-    snapshot = whole_foon(files, say)
-    asked = _asked(paths or [], dish or [], sample, seed=seed, snapshot=snapshot, say=say)
-    evaluation = _evaluated(asked, snapshot, seed, options.Run(output, jobs, dask, say, quiet, method))
+    foon = Foon(whole_foon(files, say))
+    asked = _asked(paths or [], dish or [], sample, seed=seed, foon=foon, say=say)
+    planned = partial(_outcomes, foon, options.Run(output, jobs, dask, say, quiet, method))
+    evaluation = foon.evaluate_recipes(asked, seed=seed, planned=planned)
     if scores_to is not None:
         options.write_text(scores_to, write_sheet(evaluation.recipes), "--scores-to")
     agreement = _agreement(evaluation, sheet, scores)
@@ -99,15 +102,13 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
 
 
 def _asked(
-    paths: Sequence[Path], dishes: Sequence[str], sample: int | None, *, seed: int, snapshot: Snapshot, say: Say
+    paths: Sequence[Path], dishes: Sequence[str], sample: int | None, *, seed: int, foon: Foon, say: Say
 ) -> list[Recipe]:
-    """Return the recipes to be planned, sorted by dish type and name: the order of files decides nothing."""
+    """Return the recipes to be planned: those of ``paths``, else those that the graph holds."""
     from foon_kg.evaluation.sampling import sampled
-    from foon_kg.planning.recipes import IngredientWords
-    from foon_kg.plans.kitchen import Kitchen
 
     _refuse_unknown(dishes)
-    words = IngredientWords(snapshot.vocabulary(), Kitchen.default())
+    words = foon.words()
     if paths:
         found = [one for one in _read(paths, words, say) if not dishes or one.dish_type in dishes]
         found = found if sample is None else sampled(found, sample, seed)
@@ -115,7 +116,7 @@ def _asked(
         found = _stored(dishes or DISH_TYPES, sample, seed, words, say)
     if not found:
         raise UsageError("there is no such recipe", hint="Name other files or dish types; foon recipes counts them.")
-    return sorted(found, key=lambda recipe: (recipe.dish_type, recipe.id or ""))
+    return found
 
 
 def _refuse_unknown(dishes: Sequence[str]) -> None:
@@ -157,30 +158,10 @@ def _stored(dishes: Sequence[str], sample: int | None, seed: int, words: Ingredi
     return found
 
 
-def _evaluated(asked: Sequence[Recipe], snapshot: Snapshot, seed: int, run: options.Run) -> RecipeEvaluation:
-    from foon_kg.evaluation.examination import Examiner
-    from foon_kg.evaluation.figures import RecipeEvaluation
-    from foon_kg.evaluation.sampling import known_enough, left_out
-
-    goals = snapshot.goals()
-    enough, out = known_enough(goals), left_out((recipe.dish_type for recipe in asked), goals)
-    kept = [recipe for recipe in asked if recipe.dish_type in enough]
-    if not kept:
-        names = ", ".join(dish.dish_type or "none" for dish in out)
-        raise UsageError(
-            f"the FOON knows too little of these dish types: {names}",
-            hint=f"It knows enough of: {', '.join(enough) or 'none'}.",
-        )
-    outcomes = _outcomes(kept, snapshot, run)
-    examiner = Examiner(snapshot.units, goals, snapshot.vocabulary(), snapshot.kitchen)
-    return RecipeEvaluation(options.foon_key(snapshot), seed, tuple(map(examiner.examine, outcomes)), out)
-
-
-def _outcomes(asked: Sequence[Recipe], snapshot: Snapshot, run: options.Run) -> list[PlanResult | PlanFailure]:
+def _outcomes(foon: Foon, run: options.Run, asked: Sequence[Recipe]) -> list[PlanResult | PlanFailure]:
     """Plan ``asked`` on several cores or machines; what the file of answers has already is not planned again."""
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.cli.answering import Writing, answer_all
-    from foon_kg.foon import Foon
     from foon_kg.planning.batch import Answer, Question
     from foon_kg.planning.settings import PlanSettings
     from foon_kg.plans.result import PlanFailure, PlanResult
@@ -192,7 +173,7 @@ def _outcomes(asked: Sequence[Recipe], snapshot: Snapshot, run: options.Run) -> 
 
     questions = [Question(given=recipe) for recipe in asked]
     writing = Writing(collect, run.output, run.say, run.quiet, collected=True)
-    answer_all(questions, Foon(snapshot), PlanSettings(method=run.method), run.jobs, writing, dask=run.dask)
+    answer_all(questions, foon, PlanSettings(method=run.method), run.jobs, writing, dask=run.dask)
     if run.output is None:
         return found
     return [

@@ -75,12 +75,9 @@ def _judgeable(documents: Sequence[TreeDocument], say: Say) -> list[TreeDocument
 
 
 def _evaluated(documents: Sequence[TreeDocument], snapshot: Snapshot, *, quiet: bool) -> TreesEvaluation:
-    from foon_kg.cli.evaluate_options import foon_key
-    from foon_kg.evaluation.trees import TreesEvaluation, examined
-    from foon_kg.validation import KnownFoon
+    from foon_kg.foon import Foon
 
-    foon = KnownFoon.of(snapshot.units, snapshot.goals())
     given = ((document.where, document.dish_type, document.tree) for document in documents)
-    figures = examined(given, foon, snapshot.kitchen.free_foods)
-    shown = progress_bar(figures, "Judging trees", len(documents), quiet=quiet)
-    return TreesEvaluation(foon_key(snapshot), tuple(shown))
+    return Foon(snapshot).evaluate_trees(
+        given, shown=lambda figures: progress_bar(figures, "Judging trees", len(documents), quiet=quiet)
+    )

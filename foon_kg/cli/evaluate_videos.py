@@ -22,7 +22,6 @@ from foon_kg.cli.console import (
     sayer,
 )
 from foon_kg.cli.runs import progress_bar
-from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.cli.answer_file import AnswerFile
@@ -102,49 +101,21 @@ def _show(evaluation: LeaveOneOut, comparison: Comparison | None) -> None:
 def _evaluated(
     snapshot: Snapshot, dishes: Sequence[str], sample: int | None, seed: int, run: options.Run
 ) -> LeaveOneOut:
-    from foon_kg.evaluation.left_out_video import left_out_video
-    from foon_kg.evaluation.methods import METHODS
-    from foon_kg.evaluation.sampling import known_enough, left_out
-    from foon_kg.evaluation.video_figures import LeaveOneOut
+    from foon_kg.foon import Foon
 
-    found = [(subgraph.name, left_out_video(subgraph, snapshot.kitchen)) for subgraph in snapshot.subgraphs]
-    videos = [video for _, video in found if video is not None and _is_of(video, dishes)]
-    goals = snapshot.goals()
-    enough, out = known_enough(goals), left_out((video.recipe.dish_type for video in videos), goals)
-    asked = _asked([video for video in videos if video.recipe.dish_type in enough], sample, seed)
-    compared_methods = tuple(METHODS)
-    figures = _figures(asked, snapshot, compared_methods, run)
-    nothing = tuple(name for name, video in found if video is None)
-    return LeaveOneOut(options.foon_key(snapshot), seed, figures, compared_methods, out, nothing)
-
-
-def _is_of(video: LeftOutVideo, dishes: Sequence[str]) -> bool:
-    """Whether a video makes one of these dish types, of which none means all."""
-    return not dishes or video.recipe.dish_type in dishes
-
-
-def _asked(videos: Sequence[LeftOutVideo], sample: int | None, seed: int) -> list[LeftOutVideo]:
-    """Return the videos to leave out, ``sample`` of each dish type where that is a number; raises where none is."""
-    from foon_kg.evaluation.sampling import sampled
-
-    recipes = [video.recipe for video in videos]
-    names = {recipe.id for recipe in (recipes if sample is None else sampled(recipes, sample, seed))}
-    asked = [video for video in videos if video.name in names]
-    if not asked:
-        raise UsageError(
-            "there is no video to leave out", hint="It needs a dish type with three goals in the FOON: see foon stats."
-        )
-    return asked
+    foon = Foon(snapshot)
+    compared = partial(_figures, snapshot, foon.content_key(), run)
+    return foon.leave_one_out(dishes, sample=sample, seed=seed, compared=compared)
 
 
 def _figures(
-    asked: Sequence[LeftOutVideo], snapshot: Snapshot, methods: Sequence[str], run: options.Run
-) -> tuple[VideoFigures, ...]:
+    snapshot: Snapshot, foon: str, run: options.Run, asked: Sequence[LeftOutVideo], methods: Sequence[str]
+) -> list[VideoFigures]:
     """Return the figures of all videos; those that the file of answers has already are not asked for again."""
     from foon_kg.evaluation.leave_one_out import asking_without
     from foon_kg.evaluation.video_line import from_line, to_line
 
-    foon, done = options.foon_key(snapshot), _answered_before(asked, run)
+    done = _answered_before(asked, run)
     found = [
         from_line(line, f"{run.output}:{number}", video.recipe, methods, foon)
         for number, (line, video) in enumerate(zip(done.lines if done else (), asked, strict=False), 1)
@@ -156,7 +127,7 @@ def _figures(
             found.append(figures)
             if add is not None:
                 add(json_line(to_line(figures, foon)))
-    return tuple(found)
+    return found
 
 
 def _answered_before(asked: Sequence[LeftOutVideo], run: options.Run) -> AnswerFile | None:

@@ -17,7 +17,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from foon_kg.foon.answering import WHOLE, Answering
+from foon_kg.foon.answering import WHOLE
+from foon_kg.foon.evaluating import Evaluating
 from foon_kg.foon.opened import Paths
 from foon_kg.model.errors import UsageError
 
@@ -51,7 +52,7 @@ def __getattr__(name: str) -> object:
     raise AttributeError(f"module foon_kg.foon has no attribute {name}")
 
 
-class Foon(Answering):
+class Foon(Evaluating):
     """A FOON to plan with: files in memory (:meth:`from_files`) or a Neo4j (:meth:`connect`).
 
     It is a context manager; :meth:`close` gives connections back.

@@ -16,7 +16,7 @@ import foon_kg
 from foon_kg import Foon, foon
 from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.food.motion_costs import MotionCosts
-from foon_kg.foon import answering, changing, collected, drafting, opened, plan
+from foon_kg.foon import answering, changing, collected, drafting, evaluating, opened, plan
 from foon_kg.loaders import read_paths
 from foon_kg.loaders.recipe_collections import RecipeCollections
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
@@ -39,7 +39,9 @@ def salad(door):
 
 def test_the_examples_of_the_docstrings_are_true(door, salad):
     names = {"Foon": Foon, "foon": door, "plan": salad, "demo_folder": demo_folder}
-    done = [doctest.testmod(module, extraglobs=names) for module in (foon, answering, drafting, opened, plan)]
+    done = [
+        doctest.testmod(module, extraglobs=names) for module in (foon, answering, drafting, evaluating, opened, plan)
+    ]
     assert [one.failed for one in done] == [0] * len(done)
     assert sum(one.attempted for one in done) > 20
 
