@@ -96,7 +96,7 @@ def _raised(parts: Sequence[Part]) -> list[Part]:
 
 
 def whole(case: Case) -> Iterator[Finding]:
-    """K2: nothing whole, unpeeled or in its shell that nobody eats so, and no remains for the food."""
+    """Yield the findings of K2 in ``case``: food that nobody eats whole, unpeeled or in its shell, and remains."""
     for part in case.parts:
         if part.remains:
             if not _asked_so(case, part):
@@ -153,7 +153,7 @@ def _asked_so(case: Case, part: Part) -> bool:
 
 
 def late(case: Case) -> Iterator[Finding]:
-    """K3: liquid after the last cooking; what is cooked beside what is eaten raw; what joins too hot, or too dry."""
+    """Yield the findings of K3 in ``case``: what comes too late, too hot or too dry, or is cooked beside raw food."""
     yield from _after_the_heat(case)
     yield from _cooked_too_much(case)
     for happening in case.happenings:
@@ -223,7 +223,10 @@ def _peeled_hot(happening: Happening) -> Iterator[Finding]:
 
 
 def tools(case: Case) -> Iterator[Finding]:
-    """K4: grating without what grates; cutting or mixing with a lid; a motion that cannot give that state."""
+    """Yield the findings of K4 in ``case``: grating without what grates, cutting or mixing with a lid.
+
+    So is a motion that cannot give its state.
+    """
     yield from of_world("K4", case)
     for happening in case.happenings:
         if happening.does("grate") and not _has(happening, "grate", "peel"):

@@ -59,7 +59,11 @@ class Spot:
 def spots_of(
     line: Line, *, side: bool = False, after: tuple[Stage, ...] = (), path: tuple[int, ...] = ()
 ) -> Iterator[Spot]:
-    """Yield every stage of a line and of those that join it, in the order of execution."""
+    """Yield every stage of a line and of those that join it, in the order of execution.
+
+    ``side``: the line joins another one, whose stages ``after`` come later; ``path`` are the places of the lines down
+    to it.
+    """
     for place, stage in enumerate(line.stages):
         later = (*line.stages[place + 1 :], *after)
         for number, add in enumerate(stage.adds):

@@ -36,7 +36,7 @@ class Treater(Cutter):
     """Treats foods on a bench."""
 
     def clean(self, ready: Ready, due: set[str], cut: str) -> None:
-        """Take off and out of a food what is ``due``, in the order in which hands do it, and wash it at last.
+        """Take off and out of a food that gets ``ready`` what is ``due``, in the order of hands, and wash it at last.
 
         What has earth between its leaves is washed when it is ``cut``.
         """
@@ -50,7 +50,7 @@ class Treater(Cutter):
             self.rinse(ready, "washed")
 
     def clean_inside(self, ready: Ready, due: set[str]) -> None:
-        """Wash in a strainer what was cut with earth between its leaves, if that is ``due``."""
+        """Wash in a strainer a food that gets ``ready`` and was cut with earth between its leaves, if it is ``due``."""
         stuff, bench = ready.stuff, self.bench
         if "wash" not in due or "washed" in stuff.states or not _is_earthy(ready.want):
             return
@@ -92,7 +92,10 @@ class Treater(Cutter):
         return bool(want.make) and name in self.known.state(want.make).earns
 
     def gives(self, way: Way, does: Sequence[str]) -> str:
-        """Return the state that a treatment gives: the one that the FOON tells most often, else the table's."""
+        """Return the state that ``way``, a treatment, gives: the one that the FOON tells most often, else the table's.
+
+        ``does`` is what it does, as the table of motions has it.
+        """
         fit = [s for s, ways in self.operators.giving.items() if way in ways and self.known.state(s).earns & {*does}]
         fit.sort(key=lambda s: (-self.operators.giving[s][way], s))
         able = sorted(s for s in self.known.motion(way[0]).gives if self.known.state(s).earns & {*does})
@@ -105,7 +108,10 @@ class Treater(Cutter):
         return min(found, key=lambda state: (state.count(" "), state), default=name)
 
     def trim(self, ready: Ready, state: str) -> None:
-        """Cut off the ends of a food, which makes it ``state``, or assume that it was done where it is asked so."""
+        """Cut off the ends of a food that gets ``ready``, which makes it ``state``.
+
+        Where nothing shows how, and it is asked so, it is assumed to have been done.
+        """
         ways = [way for motion in sorted(word_list("cuts off the ends")) for way in self.operators.ways_of(motion)]
         ways = [way for way in ways if word_list("is no knife").isdisjoint(way[1])] or ways
         attested = self.bench.near_or_far(self.with_a_knife(ways, ready.want), ready.want.names, act=True)
@@ -117,7 +123,10 @@ class Treater(Cutter):
         self.bench.act(ready.stuff, attested, (state,), self.board(attested.way))
 
     def advise(self, ready: Ready) -> None:
-        """Do what is only advised and yet asked (rinsed), or assume that it was done (soaked)."""
+        """Do to a food that gets ``ready`` what is only advised and yet asked (rinsed).
+
+        What nothing shows is assumed to have been done (soaked).
+        """
         asked = ready.want.make
         earns = self.known.state(asked).earns if asked else frozenset()
         if not earns or not earns <= ADVISED or asked in ready.stuff.states:
@@ -156,7 +165,10 @@ class Treater(Cutter):
         self.bench.emit(drains, [bowl, stuff, strainer], change, [strainer, stuff, bowl])
 
     def worked_so(self, ready: Ready, state: str) -> bool:
-        """Bring a food into a state as the FOON shows it of such a food, without heat; return whether it does."""
+        """Bring a food that gets ``ready`` into a state as the FOON shows it of such a food, without heat.
+
+        Return whether it does.
+        """
         attested = self._way_so(ready.want, state)
         if attested is not None:
             self.bench.act(ready.stuff, attested, tuple(sorted({*ready.stuff.states, state})), BOWL)
@@ -169,7 +181,10 @@ class Treater(Cutter):
         return self.bench.attest(ways, want.names, act=True)
 
     def rinse(self, ready: Ready, state: str) -> bool:
-        """Rinse a food where it lies, or in a strainer, which makes it ``state``; return whether the FOON shows how."""
+        """Rinse a food that gets ``ready`` where it lies, or in a strainer, which makes it ``state``.
+
+        Return whether the FOON shows how.
+        """
         bench, stuff, foods = self.bench, ready.stuff, ready.want.names
         ways: list[Way] = [("rinse", ()), ("wash", ())]
         attested = bench.attest(ways, foods) or bench.far(ways, foods)
@@ -187,7 +202,7 @@ class Treater(Cutter):
         return True
 
     def drain(self, ready: Ready) -> None:
-        """Pour what is sold in liquid into a strainer, which makes it drained where it is asked so."""
+        """Pour what gets ``ready`` and is sold in liquid into a strainer, which makes it drained if it is asked so."""
         asked = ready.want.asked
         drained = asked and self.known.state(asked).earns == FROM_A_CAN
         states = (*ready.stuff.states, asked) if drained else None
@@ -198,7 +213,7 @@ class Treater(Cutter):
             self.bench.bring([ready.stuff], self.bench.vessel("strainer"), attested, states)
 
     def squeeze(self, ready: Ready) -> None:
-        """Halve the food and press its juice into a bowl."""
+        """Halve the food that gets ``ready`` and press its juice into a bowl."""
         stuff, bench = ready.stuff, self.bench
         halving = self.way_to_cut(ready.want, _HALVED)
         if halving is None:
@@ -222,14 +237,14 @@ class Treater(Cutter):
         ready.read_as = JUICE
 
     def opening(self, want: Want) -> Attested | None:
-        """Return the way to open the food's shell over a vessel, if there is one."""
+        """Return the way to open the shell of ``want`` over a vessel, if there is one."""
         ways = [way for way in self.operators.ways.get("shell", ()) if "open" in self.known.motion(way[0]).does]
         ways = [way for way in ways if self.operators.onto.get(way) and not way[1]]
         opens = "shell" in want.facts.owes and not want.facts.is_a(*word_list("is peeled and not cracked"))
         return self.bench.attest(ways, want.names, act=True) if opens else None
 
     def assume(self, ready: Ready, state: str) -> None:
-        """Take a food in a state into which nobody brings it here, and say so."""
+        """Take a food that gets ``ready`` in a state into which nobody brings it here, and say so."""
         stuff = ready.stuff
         was = self.known.state(state).before
         kept = (s for s in stuff.states if not self.known.state(s).undivided and s not in was)

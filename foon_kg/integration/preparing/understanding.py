@@ -34,9 +34,9 @@ from foon_kg.world.treatment import ADVISED
 def wants_of(
     ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators, title: str = ""
 ) -> tuple[Want, ...]:
-    """Return the distinct required foods in their order, each with its state as it is understood.
+    """Return the distinct ``ingredients`` in their order, each with its state as it is understood.
 
-    ``title`` says what the recipe left out.
+    ``title`` says what the recipe left out; ``known`` are the tables, ``operators`` what the FOON shows.
     """
     distinct: dict[RequiredIngredient, tuple[int, ...]] = {}
     for place, one in enumerate(one for one in ingredients if one.object):
@@ -84,7 +84,11 @@ def _cut_by_name(want: Want, known: Tables) -> Want:
 
 
 def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
-    """Return a required food with its state as it is understood: sold so, made so, or a crude word for something."""
+    """Return ``one`` required food, called by ``number``, with its state as it is understood.
+
+    It is sold so, made so, or the state is a crude word for something. ``known`` are the tables, ``operators`` what the
+    FOON shows.
+    """
     fine = one.state in word_list("is so when it is grated off")
     fine = fine and _is_grated_off(one.object, known.foods.food(one.object, [one.state]), known)
     if not fine and one.state not in word_list("asks for what is grated off"):
