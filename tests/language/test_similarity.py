@@ -214,6 +214,7 @@ def test_a_spacy_pipeline_without_vectors_is_a_usage_error(tmp_path):
         spacy_similarity(str(tmp_path / "empty"))
 
 
+@pytest.mark.slow
 def test_memory_does_not_grow_with_how_many_names_are_asked():
     similarity, known = food_similarity(), ("egg", "onion", "grated cheddar")
     similarity.matrix(["leek"], known)

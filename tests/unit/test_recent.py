@@ -6,6 +6,8 @@ import ast
 import re
 from pathlib import Path
 
+import pytest
+
 from foon_kg.food.motions import mixes
 from foon_kg.model.recent import MOST_WORDS, Recent
 
@@ -41,6 +43,7 @@ def caches():
                         yield node, said
 
 
+@pytest.mark.slow
 def test_what_is_kept_of_the_words_of_strangers_is_bounded():
     unbounded = {
         node.name

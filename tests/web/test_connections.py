@@ -49,6 +49,7 @@ def limits(**changed):
     return replace(PLENTY, **changed)
 
 
+@pytest.mark.slow
 def test_hundreds_of_half_sent_requests_keep_nobody_out_of_the_command(tmp_path):
     arguments = ["serve", "--files", str(demo_folder()), "--port", "0", "--jobs", "1"]
     serving = subprocess.Popen([sys.executable, "-c", PROGRAM, *arguments], stderr=subprocess.PIPE, text=True)

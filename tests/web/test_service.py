@@ -146,6 +146,7 @@ def test_an_edition_that_cannot_be_read_is_tried_again():
         assert service.summary()["videos"] == 3
 
 
+@pytest.mark.slow
 def test_a_service_that_ends_while_it_reads_leaves_no_process():
     foon = HeldFoon(2)
     service = FoonService(foon, processes=1, patience=0)

@@ -53,15 +53,15 @@ class Precooking:
     # --- what is asked of a food ---
 
     def is_asked_done(self, want: Want) -> bool:
-        """Whether a recipe begins with meat or fish that was cooked before: then it is boiled by itself, and cut."""
+        """Return whether ``want`` is meat or fish that was cooked before: then it is boiled by itself, and cut."""
         return want.make in word_list("begins cooked") and want.facts.is_a(*word_list("is flesh"))
 
     def is_fried_open(self, want: Want) -> bool:
-        """Whether a food that runs out of its shell is asked done as only a pan does it."""
+        """Return whether ``want``, which runs out of its shell, is asked done as only a pan does it."""
         return want.make in word_list("is done in a pan") and self.pours(want)
 
     def pours(self, want: Want) -> bool:
-        """Whether a food is opened over the dish and runs into it: such food is cooked as fast as anything."""
+        """Return whether ``want`` is opened over the dish and runs into it: such food is cooked as fast as anything."""
         return "shell" in want.facts.owes and self.preparer.opening(want) is not None
 
     def _is_cut_of_its_shell(self, want: Want) -> bool:
