@@ -40,3 +40,10 @@ def served(application, callers=None):
     finally:
         server.should_exit = True
         thread.join(10)
+
+
+def error_of(answer):
+    """Return the error that an answer tells, in the form of all of them."""
+    told = answer.json()["error"]
+    assert set(told) >= {"code", "message", "hint"}
+    return told

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import asyncio
 import json
 import threading
-from dataclasses import replace
 
-import httpx
 import pytest
 from fastapi.testclient import TestClient
 from pictures.demo_plans import demo_foon
-from web.serving import PLENTY, SALAD, app
+from web.serving import SALAD, app, error_of
 
 from foon_kg import Foon
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Subgraph
@@ -22,7 +19,6 @@ from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.schedule import schedule as schedule_of
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.foon import FixedFoon
-from foon_kg.web.limits import Limits
 from foon_kg.web.words import FoonWords
 
 
@@ -30,12 +26,6 @@ from foon_kg.web.words import FoonWords
 def client():
     with TestClient(app(), base_url="http://localhost") as made:
         yield made
-
-
-def error_of(answer):
-    told = answer.json()["error"]
-    assert set(told) >= {"code", "message", "hint"}
-    return told
 
 
 def test_a_plan_is_what_foon_plan_prints(client):
@@ -274,70 +264,6 @@ def test_there_is_nothing_to_write_to(client, method):
 def test_files_beside_the_page_are_not_served(client):
     for path in ("/../api.py", "/%2e%2e/api.py", "/..%2fapi.py", "//etc/passwd", "/api/../../models.py"):
         assert client.get(path).status_code in {404, 405}
-
-
-def test_who_asks_too_often_has_to_wait():
-    with TestClient(app(limits=Limits(per_second=0.001, burst=3)), base_url="http://localhost") as client:
-        statuses = [client.get("/api/summary").status_code for _ in range(5)]
-        assert statuses == [200, 200, 200, 429, 429]
-        answer = client.get("/api/summary")
-        assert int(answer.headers["retry-after"]) > 0
-        assert error_of(answer)["code"] == "rate"
-
-
-def test_an_error_of_its_own_tells_nothing_and_has_the_strict_policy():
-    class Broken:
-        def current(self):
-            raise ZeroDivisionError("secret")
-
-        def close(self):
-            """Nothing is open."""
-
-    with TestClient(app(foon=Broken()), base_url="http://localhost", raise_server_exceptions=False) as client:
-        answer = client.get("/api/summary")
-    assert answer.status_code == 500
-    assert error_of(answer)["code"] == "internal"
-    assert "secret" not in answer.text
-    assert answer.headers["content-security-policy"].startswith("default-src 'none'")
-
-
-def test_an_answer_that_takes_too_long_is_given_up():
-    limits = Limits(seconds=0.0, per_second=PLENTY.per_second, burst=PLENTY.burst)
-    with TestClient(app(limits=limits), base_url="http://localhost") as client:
-        answer = client.post("/api/suggest", json={"foods": ["egg", "onion", "milk"], "most": 20})
-    assert answer.status_code in {504, 408}
-    assert error_of(answer)["code"] in {"timeout", "slow"}
-
-
-def test_a_crowd_is_refused_in_the_form_of_every_error():
-    async def crowd(requests):
-        application = app(limits=replace(PLENTY, requests=requests))
-        transport = httpx.ASGITransport(application)
-        async with httpx.AsyncClient(transport=transport, base_url="http://localhost") as client:
-            answers = await asyncio.gather(*(client.get("/api/summary") for _ in range(5)))
-            return answers, await client.get("/api/summary")
-
-    answers, later = asyncio.run(crowd(2))
-    refused = [answer for answer in answers if answer.status_code == 503]
-    assert len(refused) == 3
-    assert {error_of(answer)["code"] for answer in refused} == {"busy"}
-    assert all(
-        answer.headers["retry-after"] == "1" and "content-security-policy" in answer.headers for answer in refused
-    )
-    assert later.status_code == 200
-
-
-def test_more_than_there_are_places_for_is_refused():
-    application = app(most=1)
-    service = application.state.service
-    with TestClient(application, base_url="http://localhost") as client:
-        places = service.current().workers._places
-        with places:  # the only one
-            answer = client.post("/api/plan", json=SALAD)
-        assert answer.status_code == 503
-        assert answer.headers["retry-after"] == "1"
-        assert error_of(answer)["code"] == "busy"
-        assert client.post("/api/plan", json=SALAD).status_code == 200
 
 
 class ChangedFoon(FixedFoon):
