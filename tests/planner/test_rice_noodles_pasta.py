@@ -113,3 +113,76 @@ def test_what_is_stewed_for_a_casserole_is_baked_then(steps, title, asked):
     told = steps("casserole", title, *asked)
     stewed = asked[0].split(":")[0]
     assert first(told, stewed, "cook and stir") < motions(told).index("bake")
+
+
+def test_beans_that_were_soaked_are_boiled_before_rice_is_done(steps):
+    told = steps("rice", "Hoppin' John", "black-eyed peas:soaked", "bacon:chopped", "onion:chopped", "rice:uncooked",
+                 "water:liquid")  # fmt: skip
+    assert first(told, "black-eyed peas", "cook") < first(told, "rice", "simmer")
+
+
+def test_meat_of_a_biryani_lies_in_its_yogurt_before_it_is_cooked(steps):
+    told = steps("rice", "Chicken Biryani", "basmati rice:uncooked", "chicken thighs:cut", "yogurt:creamy:marinade",
+                 "turmeric:ground:marinade", "onions:sliced", "ghee:creamy", "mint:chopped")  # fmt: skip
+    assert first(told, "yogurt", "stir") < first(told, "chicken thighs", "mix") < motions(told).index("cook and stir")
+
+
+def test_a_sauce_with_starch_is_cooked_with_what_lies_on_a_bowl_of_rice(steps):
+    told = steps("rice", "Teriyaki Chicken Rice Bowls", "chicken thighs:cubed", "rice:uncooked", "water:liquid",
+                 "soy sauce:liquid:sauce", "honey:thick liquid:sauce", "cornstarch:powder:sauce")  # fmt: skip
+    assert "cornstarch" in inside(told, "stir")
+    assert first(told, "mixture", "cook and stir") > first(told, "mixture", "pour")
+
+
+def test_what_is_listed_for_a_marinade_is_not_cooked_beside_the_meat(steps):
+    told = steps("stir-fry", "Bulgogi Stir Fry", "ribeye:sliced", "soy sauce:liquid:marinade",
+                 "sugar:granulated:marinade", "onion:sliced", "oil:liquid")  # fmt: skip
+    assert first(told, "soy sauce", "stir") < first(told, "ribeye", "mix") < motions(told).index("cook and stir")
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        ("egg noodle:uncooked", "flour:ground", "butter:ground", "milk:juice", "tuna:canned", "potato chip:crushed"),
+        ("noodle:uncooked", "ham:diced", "egg:whole", "milk:juice", "bread crumb:ground"),
+        ("noodle:uncooked", "cream of chicken soup:creamy", "milk:juice", "pea:berries", "bread crumb:ground"),
+    ],
+)
+def test_noodles_that_are_asked_with_crumbs_are_baked_under_them(steps, asked):
+    told = steps("noodle", "", *asked)
+    crumbs = next(food.split(":")[0] for food in asked if "crumb" in food or "chip" in food)
+    assert _into(told, crumbs, "baking dish") < motions(told).index("bake")
+
+
+def test_no_vegetable_of_creamed_noodles_stays_raw(steps):
+    told = steps("noodle", "", "chicken:shredded", "noodle:uncooked", "celery:chopped", "carrot:sliced",
+                 "broth:thick liquid", "cream:juice", "flour:ground", "butter:ground")  # fmt: skip
+    off = max(place for place, motion in enumerate(motions(told)) if motion == "turn off")
+    for food in ("celery", "carrot"):
+        assert max(n for n, (inputs, _, _) in enumerate(told) if food in inputs) < off
+
+
+def test_noodles_with_vinegar_and_what_is_crisp_are_tossed_cold(steps):
+    told = steps("noodle", "", "soba noodle:uncooked", "soy sauce:sauce", "oil:juice", "vinegar:juice",
+                 "cucumber:sliced", "carrot:shredded")  # fmt: skip
+    assert "cook and stir" not in motions(told)
+    assert {"oil", "vinegar", "soy sauce"} <= inside(told, "stir")
+
+
+def test_crisp_noodles_are_stirred_into_what_melts_and_never_boiled(steps):
+    told = steps("noodle", "", "chow mein noodle:crispy", "butterscotch chip:chopped", "peanut butter:creamy")
+    assert "boil" not in motions(told)
+    assert first(told, "butterscotch chip", "cook and stir") < motions(told).index("chill")
+
+
+def test_noodles_of_flour_and_egg_are_rolled_and_boiled_in_their_broth(steps):
+    told = steps("noodle", "", "flour:ground", "egg:whole", "salt:ground", "stock:thick liquid")
+    assert motions(told).index("knead") < motions(told).index("roll") < max(
+        place for place, motion in enumerate(motions(told)) if motion == "simmer"
+    )  # fmt: skip
+
+
+def test_rice_with_mayonnaise_is_a_salad(steps):
+    told = steps("rice", "", "rice:cooked", "mayonnaise:creamy", "celery:chopped", "lemon:juice", "onion:minced")
+    assert "mayonnaise" in inside(told, "stir")
+    assert not [inputs for inputs, one, _ in told if "celery" in inputs and one.startswith(("cook", "simmer"))]

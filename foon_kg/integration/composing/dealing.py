@@ -81,6 +81,8 @@ def dealt(technique: Technique, joins: Sequence[Join], around: Around) -> list[D
                 dealer.deal_again(wish)
         elif wish.line not in apart:
             dealer.deal(wish)
+        else:
+            dealer.deal_beside_told(wish)
     dealer.deal_the_others()
     return [*dealer.once.values(), *dealer.more]
 
@@ -173,6 +175,11 @@ class _Dealer:
     def _put(self, join: Join, wish: _Wish) -> None:
         """Put a food there, of which it is the first portion."""
         self.once[join.want.number] = Dealt(join, replace(wish.foods, again=False), wish.part)
+
+    def deal_beside_told(self, wish: _Wish) -> None:
+        """Put foods at a stage of a line of which the recipe says what is for it, unless that joins at this stage."""
+        if not any(one.part is wish.part and one.join.want.part in self.told for one in self.once.values()):
+            self.deal(wish)
 
 
 def _by_name(joins: Iterable[Join]) -> Iterable[list[Join]]:

@@ -181,7 +181,7 @@ class _Placed:
         here = {id(part) for part in parts}
         found = [part for _, _, part in self.found if id(part) in here]
         does = frozenset().union(*(works()[part.stage].does for part in parts))
-        mixes = does == {"mix"} and not any(part.lines for part in parts)
+        mixes = does == {"mix"} and not any(self._is_used(line) for part in parts for line in part.lines)
         return found[0] if mixes and len(found) == 1 else None
 
     def _label(self, part: Part, usual: str) -> str:
