@@ -27,7 +27,7 @@ _STEP = re.compile(
 _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
 
 
-TABLES = ("eggs", "handheld", "morsels", "cold", "flesh", "savoury", "techniques", "methods", "grains")
+TABLES = ("vegetables", "eggs", "handheld", "morsels", "cold", "flesh", "savoury", "techniques", "methods", "grains")
 """The documents with rows of techniques, in the order in which these are tried."""
 
 
@@ -137,6 +137,7 @@ class Work:
 
     ``states`` are what the whole is then, where the FOON shows several for its motion. ``phased``: foods join in the
     order of what they are. ``on_top``: what joins only lies on it. ``bath``: it is done in water that is poured off.
+    ``always``: it is done even to one food that needs no work.
     """
 
     motion: str = ""
@@ -151,6 +152,7 @@ class Work:
     phased: bool = False
     on_top: bool = False
     bath: bool = False
+    always: bool = False
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ NAMES = (
     "states",
     "techniques",
     "utensils",
+    "vegetables",
     "ways",
 )
 

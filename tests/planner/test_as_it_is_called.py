@@ -169,7 +169,7 @@ def test_garlic_is_minced_before_it_is_eaten_raw(steps):
 
 
 def test_whole_spices_bloom_in_the_fat(steps):
-    told = steps("vegetables", "Palak Paneer", "spinach:washed", "paneer:cubed", "oil:liquid", "cumin seeds:whole",
+    told = steps("vegetables", "Spinach Paneer", "spinach:washed", "paneer:cubed", "oil:liquid", "cumin seeds:whole",
                  "onion:chopped", "cream:liquid")  # fmt: skip
     seeds = next(place for place, (inputs, _, _) in enumerate(told) if "cumin seeds" in inputs)
     spinach = next(place for place, (inputs, _, _) in enumerate(told) if {"spinach", "cooking pan"} <= inputs)

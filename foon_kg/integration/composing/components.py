@@ -17,7 +17,7 @@ from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import NOWHERE, Around, Component, Foods, Technique, components, works
 from foon_kg.integration.composing.dealing import means
 from foon_kg.integration.composing.techniques import carried_out, stage_of
-from foon_kg.integration.joining.course import HEATS, MIXES
+from foon_kg.integration.joining.course import COATS, HEATS, MIXES
 from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
 from foon_kg.integration.joining.spots import NATURAL, Join, Spot, is_ladled, only_carries, spots_of
 from foon_kg.integration.preparing.preparation import SECOND, Want
@@ -363,7 +363,7 @@ def _folded(
         return None
     spot = other.spot
     cold = list(itertools.takewhile(lambda stage: stage.does.isdisjoint(HEATS), (spot.stage, *spot.after)))
-    mixing = next((stage for stage in reversed(cold) if not stage.does.isdisjoint(MIXES)), None)
+    mixing = next((one for one in reversed(cold) if not one.does.isdisjoint(MIXES) and not one.does >= COATS), None)
     became: dict[int, Stage] = {}
     if mixing is None:
         (add,) = target.adds

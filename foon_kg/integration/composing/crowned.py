@@ -181,4 +181,5 @@ def _floats(facts: Food, others: Sequence[Food]) -> bool:
     if facts.is_a(*floats) or (facts.is_a(*_MELTS) and any(one.is_a(*floats) for one in others)):
         return True
     thick = any(one.is_a("flour", *_THICKENS) for one in others)
-    return not thick and facts.is_a(*word_list("is spooned onto it"))
+    melts_in = facts.is_a(*word_list("melts into what is boiled"))
+    return not thick and not melts_in and facts.is_a(*word_list("is spooned onto it"))

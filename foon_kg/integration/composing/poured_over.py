@@ -13,6 +13,7 @@ from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
 _PARTS = word_list("is poured over")
+_TOLD = word_list("says that it is poured over")
 _BODY = word_list("is the body of what is poured over")
 _FINE = 4
 """As finely as this (minced, grated, mashed) some foods are cut that only give a dressing their taste."""
@@ -34,8 +35,10 @@ _MIXING = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (),
 def is_poured_over(want: Want, slot: Slot | None = None) -> bool:
     """Return whether ``want`` is what dressings are made of: it runs, it seasons, or only its juice is taken.
 
-    ``slot`` is its place in the recorded dish, if it has one.
+    So is all that the recipe says is for one. ``slot`` is its place in the recorded dish, if it has one.
     """
+    if want.part in _TOLD:
+        return True
     if want.facts.kind in _SPRAYS:
         return False
     if want.facts.is_a(*_WHEN_FINE) and want.asked and (tables().state(want.asked).fine or 0) >= _FINE:

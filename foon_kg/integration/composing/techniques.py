@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 
 from foon_kg.food import Level, Tables, tables, words
 from foon_kg.food.rows import Dish, Food, State
-from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques_called, ways, works
+from foon_kg.food.techniques import Around, Foods, Part, Technique, Work, preparations, techniques_called, ways, works
 from foon_kg.integration.composing.dealing import MAIN, dealt, has_its_foods
 from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
-from foon_kg.integration.teaching.frames import BATH, Line, Phase, Slot, Stage
+from foon_kg.integration.teaching.frames import BATH, Asked, Line, Phase, Slot, Stage
 from foon_kg.integration.teaching.operators import form_of
 
 
@@ -152,8 +152,7 @@ class _Placed:
     def _stage(self, part: Part) -> Stage:
         work = works()[part.stage]
         adds, lone = self._adds(part)
-        over_heat = work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased
-        stage = (partial(Phase, bath=work.bath) if over_heat else Stage)(
+        stage = _kind_of(work)(
             (BATH, *adds) if work.bath else adds, work.motion, work.does, work.tools, part.vessel or work.vessel,
             work.relation, work.appliance, work.source, self._label(part, work.label), work.states, 0,
         )  # fmt: skip
@@ -189,6 +188,13 @@ class _Placed:
         if part.label == "~":
             return next((join.want.label for join, _, at in self.found if at is part), usual)
         return part.label or usual
+
+
+def _kind_of(work: Work) -> Callable[..., Stage]:
+    """Return what makes a stage of the kind that does such work: over the heat, in any case, or any other."""
+    if work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased:
+        return partial(Phase, bath=work.bath)
+    return Asked if work.always else Stage
 
 
 def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | None]:

@@ -197,6 +197,9 @@ class Preparer(Treater):
 
     def _shape_elsewhere(self, want: Want, form: Sequence[str]) -> str:
         """Return the first cut of ``form``, the states in which such a food joins elsewhere, that is one for it."""
+        never = want.facts.is_a(*word_list("is never so unasked"))
+        if never and not word_list("is a shape that is asked").isdisjoint(form):
+            return ""
         some = word_list("is a shape of some foods")
         fits = (state for state in form if state not in some or self.comes_so(want, state))
         return next((state for state in fits if self.known.state(state).fineness > 0), "")

@@ -71,7 +71,7 @@ class Phase(Stage):
 
 @dataclass(frozen=True)
 class Asked(Stage):
-    """A stage that a word of the title asks for: it is done to whatever is there, as the FOON does it to anything."""
+    """A stage that a title or a table asks for: it is done to whatever is there, as the FOON does it to anything."""
 
 
 @dataclass(frozen=True)
