@@ -199,3 +199,8 @@ def test_fish_for_flat_bread_is_turned_in_a_batter_where_one_can_be_whisked(step
                  "cabbage:shredded")  # fmt: skip
     assert any({*node.ingredients} == {"flour", "beer"} for _, _, outputs in told for node in outputs)
     assert motions(told).index("dip") < motions(told).index("flip")
+
+
+def test_mince_with_nothing_in_it_is_shaped_and_fried_on_both_sides(steps):
+    told = steps("burger", "Bacon Cheeseburger", "ground beef:uncooked", "bacon:raw", "cheddar:block", "buns:whole")
+    assert motions(told).index("shape") < motions(told).index("flip")
