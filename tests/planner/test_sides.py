@@ -367,3 +367,17 @@ def test_onions_are_fried_with_home_fries(steps):
     assert not any(
         {"onion", "plate"} <= inputs and "potatoes" in inputs for inputs, motion, _ in told if motion == "pour"
     )
+
+
+def test_tahini_is_mashed_with_an_eggplant_that_was_roasted(steps):
+    told = steps(
+        "vegetables",
+        "Baba Ganoush Roasted Eggplant with Pomegranate",
+        "eggplants:halved",
+        "olive oil:liquid",
+        "tahini:creamy",
+        "lemon juice:liquid",
+        "pomegranate seeds:berries",
+    )
+    assert "baking tray" not in vessels(told, "tahini")
+    assert motions(told).index("bake") < motions(told).index("mash")
