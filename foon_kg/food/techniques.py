@@ -27,7 +27,21 @@ _STEP = re.compile(
 _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
 
 
-TABLES = ("vegetables", "eggs", "handheld", "morsels", "cold", "flesh", "savoury", "techniques", "methods", "grains")
+TABLES = (
+    "vegetables",
+    "eggs",
+    "handheld",
+    "morsels",
+    "cold",
+    "pies",
+    "sauces",
+    "drinks",
+    "flesh",
+    "savoury",
+    "techniques",
+    "methods",
+    "grains",
+)
 """The documents with rows of techniques, in the order in which these are tried."""
 
 

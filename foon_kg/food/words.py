@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import functools
 import re
+import unicodedata
 from collections.abc import Collection
 
 from foon_kg.food.lists import word_list
@@ -29,8 +30,14 @@ _ALIKE = {"swirl": "filling"}
 
 @functools.lru_cache(maxsize=1 << 16)
 def words(name: str) -> tuple[str, ...]:
-    """Return the words of a name, in lower case and in the singular: ``Bell Peppers`` → bell, pepper."""
-    return tuple(singular_word(word) for word in _WORD.findall(name.lower()))
+    """Return the words of a name, lower case, singular, without accents: ``Crèmes Brûlées`` → creme, brulee."""
+    return tuple(singular_word(word) for word in _WORD.findall(_without_accents(name.lower())))
+
+
+def _without_accents(name: str) -> str:
+    if name.isascii():
+        return name
+    return "".join(one for one in unicodedata.normalize("NFKD", name) if not unicodedata.combining(one))
 
 
 @functools.lru_cache(maxsize=1 << 16)

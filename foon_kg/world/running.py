@@ -18,7 +18,7 @@ def is_runny(label: str, states: Sequence[str], parts: Sequence[str], known: Tab
     if _is_set(states, parts, known):
         return False
     if len(parts) < _SEVERAL:
-        return _runs_as_it_is(known.foods.food(label, states), states, known)
+        return _runs_as_it_is(known.foods.food(parts[0] if parts else label, states), states, known)
     foods = [known.foods.food(name) for name in parts]
     wet = any(food.is_a("liquid", "water") and not food.is_a("fat") for food in foods)
     return wet and all(food.is_a(*word_list("runs in a mixture")) for food in foods)
@@ -38,6 +38,14 @@ def _is_set(states: Sequence[str], parts: Sequence[str], known: Tables) -> bool:
     """Whether what ran has set: it was shaped or baked so, or heated with what sets then."""
     if not (word_list("keeps its shape") | word_list("sets what runs")).isdisjoint(states):
         return True
-    heated = any(known.state(state).needs_heat for state in states)
-    sets = word_list("sets what is heated with it")
-    return heated and any(known.foods.food(name).is_a(*sets) for name in parts)
+    if not any(known.state(state).needs_heat for state in states):
+        return False
+    foods = [known.foods.food(name) for name in parts]
+    if any(food.is_a(*word_list("sets what is heated with it")) for food in foods):
+        return True
+    return any(food.is_a("egg") and not food.is_a("liquid") for food in foods) and not _is_custard(foods)
+
+
+def _is_custard(foods: Sequence[Food]) -> bool:
+    """Whether eggs are stirred with what is sweet in what keeps them from setting."""
+    return all(any(food.is_a(*word_list(need)) for food in foods) for need in ("sweetens eggs", "thins eggs"))

@@ -282,4 +282,4 @@ def test_ice_cream_is_frozen_before_beaten_whites_are_browned_on_it(steps):
     told = steps("cake", "Baked Alaska", "sponge cake:whole", "ice cream:frozen", "egg whites:uncooked",
                  "sugar:granulated")  # fmt: skip
     assert motions(told).index("whisk") < motions(told).index("bake")
-    assert first(told, "ice cream", "chill") < motions(told).index("bake")
+    assert first(told, "ice cream", "freeze") < motions(told).index("bake")

@@ -7,11 +7,12 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from foon_kg.food import Tables, words
+from foon_kg.food.lists import word_list
 from foon_kg.food.parted import PART, comes_apart, parts_in
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
 from foon_kg.integration.composing.components import Side, sides_of
-from foon_kg.integration.composing.dealing import MAIN
+from foon_kg.integration.composing.dealing import MAIN, line_told
 from foon_kg.integration.composing.techniques import technique_for
 from foon_kg.integration.preparing.preparation import SECOND, Want
 from foon_kg.model import Recipe
@@ -69,7 +70,7 @@ def _parted(
     if not _is_named(sides):
         return Apart(foods, own, sides, left)
     if left is None and _says_what_is_put_on(technique):
-        return Apart(foods, foods, (), technique)
+        return _with_what_is_served(Apart(foods, foods, (), technique), sides, recipe.dish_type, told, recorded)
     return Apart(foods, own, sides, None if left is not None and WHOLE in left.plan else left)
 
 
@@ -87,7 +88,23 @@ def _for_its_lines(foods: Sequence[Want], technique: Technique | None) -> tuple[
     """Return the foods of which a recipe says that they are for a line of a technique; of a whole one, its foam."""
     if technique is None or WHOLE in technique.plan:
         return _foam(foods, technique)
-    return tuple(want for want in foods if want.part and want.part in technique.lines and want.part != MAIN)
+    lines = technique.lines.keys() - {MAIN}
+    return tuple(want for want in foods if want.part and line_told(want.part, sorted(lines)))
+
+
+def _with_what_is_served(
+    whole: Apart,
+    sides: Sequence[Side],
+    dish_type: str,
+    told: Sequence[str],
+    recorded: Sequence[tuple[str, Collection[str]]],
+) -> Apart:
+    """Return what a technique makes that says itself what is put on what, without what is only served with it."""
+    served = tuple(side for side in sides if all(want.part in word_list("is for what is done") for want in side.wants))
+    own = tuple(want for want in whole.foods if not any(want in side.wants for side in served))
+    if served and technique_for(dish_type, told, own, recorded) is whole.technique:
+        return whole._replace(own=own, sides=served)
+    return whole
 
 
 def _foam(foods: Sequence[Want], technique: Technique | None) -> tuple[Want, ...]:

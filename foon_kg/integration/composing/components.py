@@ -15,7 +15,7 @@ from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import NOWHERE, Around, Component, Foods, Technique, components, works
-from foon_kg.integration.composing.dealing import means
+from foon_kg.integration.composing.dealing import means, takes
 from foon_kg.integration.composing.techniques import carried_out, stage_of
 from foon_kg.integration.joining.course import COATS, HEATS, MIXES
 from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
@@ -136,12 +136,16 @@ class _Finder:
         """Return the places of the foods of which the recipe says that they are for such a component."""
         found = self._named(component)
         if not component.body:
-            return found
+            return self._taken(found, component, around)
         mixed = self._begun(found, component, around)
         if mixed and component.technique.lines and _have(component.technique.needs, self._at(mixed), around):
-            return mixed
+            return self._taken(mixed, component, around)
         foods = component.body + component.neighbours
         return {place for place in found if _are(foods, self.listed[place], around)}
+
+    def _taken(self, places: set[int], component: Component, around: Around) -> set[int]:
+        """Return those of places whose foods a component takes."""
+        return {place for place in places if takes(component.technique, self.listed[place], around)}
 
     def _begun(self, places: set[int], component: Component, around: Around) -> set[int]:
         """Return those of places whose foods are for the same as a food with which a component begins."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -12,6 +12,9 @@ from foon_kg.food.techniques import Around, Foods, Part, Technique
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.preparing.preparation import Want, owed
+
+_ONE_PART = ("is one part below", "is one part above")
+"""The lists of names, each of one part of a dish."""
 
 MAIN = "dish"
 """The line of a technique that makes the dish."""
@@ -31,6 +34,17 @@ class _Wish(NamedTuple):
     foods: Foods
     part: Part
     line: str
+
+
+def line_told(part: str, lines: Collection[str]) -> str:
+    """Return which of ``lines`` a recipe means that says of a food for which ``part`` it is; ``""`` for none.
+
+    One recipe has another name for it than the next.
+    """
+    if part in lines:
+        return part
+    alike = next((names for names in map(word_list, _ONE_PART) if part in names), frozenset())
+    return next((line for line in lines if line in alike), "")
 
 
 def means(foods: Foods, want: Want, around: Around) -> bool:
@@ -54,6 +68,12 @@ def _states(want: Want) -> set[str]:
         "as mash": bool(mash) or "made" in want.facts.traits,
     }
     return {want.asked, want.make, want.then, *want.leaf, *(name for name, holds in said.items() if holds)}
+
+
+def takes(one: Technique, want: Want, around: Around) -> bool:
+    """Whether what a recipe says is for a row joins it: its lines name that, or take anything, or do not mix it."""
+    foods = [some for parts in one.lines.values() for part in parts for some in part.foods]
+    return not foods or any(some.is_rest or means(some, want, around) for some in foods)
 
 
 def has_its_foods(one: Technique, wants: Sequence[Want], around: Around) -> bool:
@@ -106,7 +126,8 @@ class _Dealer:
         self.lines = technique.lines
         self.joins = joins
         self.around = around
-        self.told = {join.want.part for join in joins} & (self.lines.keys() - {MAIN})
+        self.named = [line for line in self.lines if line != MAIN]
+        self.told = set(filter(None, map(self._line, joins)))
         self.once: dict[int, Dealt] = {}
         self.more: list[Dealt] = []
         self.taken: dict[int, str] = {}
@@ -116,14 +137,17 @@ class _Dealer:
         poured = line in word_list("is poured over what lies below")
         for join in self.joins:
             below = poured and join.want.facts.is_a(*word_list("lies below what is poured"))
-            if join.want.part == line and not below:
+            if self._line(join) == line and not below:
                 wish = next((wish for wish in wishes if means(wish.foods, join.want, self.around)), wishes[0])
                 self._put(join, wish)
                 self.taken[join.want.number] = line
 
     def has_as_told(self, wish: _Wish) -> bool:
         """Whether the recipe says itself that a food that a wish means is for its line."""
-        return wish.line in self.told and any(join.want.part == wish.line for join in self._meant(wish))
+        return wish.line in self.told and any(self._line(join) == wish.line for join in self._meant(wish))
+
+    def _line(self, join: Join) -> str:
+        return line_told(join.want.part, self.named)
 
     def deal(self, wish: _Wish) -> None:
         """Put the foods that a wish means there, unless they are somewhere already."""
@@ -135,7 +159,7 @@ class _Dealer:
     def deal_again(self, wish: _Wish) -> None:
         """Put second portions there: those that the recipe lists for the same part as other foods of that line."""
         found = [join for join in self._meant(wish) if self.taken.get(join.want.number) != wish.line]
-        beside = self._parts_in(wish.line) - {"", *self.told}
+        beside = self._parts_in(wish.line)
         said = [join for join in found if join.want.part in beside]
         for join in said:
             self._put(join, wish)
@@ -143,8 +167,9 @@ class _Dealer:
             self._deal_portions([join for join in found if not join.want.part], wish)
 
     def _parts_in(self, line: str) -> set[str]:
-        """Return for which parts of the dish the recipe says that the foods of a line are."""
-        return {one.join.want.part for one in self.once.values() if one.part in self.lines[line]}
+        """Return for which parts of the dish, that are no lines, the recipe says that the foods of a line are."""
+        found = {one.join.want.part for one in self.once.values() if one.part in self.lines[line]}
+        return {part for part in found if part and not line_told(part, self.named)}
 
     def _deal_portions(self, found: Sequence[Join], wish: _Wish) -> None:
         """Put a second portion of each food there; what a recipe names twice is two portions already.

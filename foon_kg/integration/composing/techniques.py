@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 from foon_kg.food import Level, Tables, tables, words
+from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish, Food, State
 from foon_kg.food.techniques import Around, Foods, Part, Technique, Work, preparations, techniques_called, ways, works
-from foon_kg.integration.composing.dealing import MAIN, dealt, has_its_foods
+from foon_kg.integration.composing.dealing import MAIN, dealt, has_its_foods, line_told
 from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
@@ -33,8 +35,12 @@ def technique_for(
     parts = {want.part for want in wants} - {""}
 
     def is_taught(one: Technique) -> bool:
-        told_apart = "by table" in one.plan or not parts.isdisjoint(one.lines)
-        return not told_apart and any(_teaches(label, foods, one) for label, foods in taught)
+        told_apart = any(line_told(part, one.lines) for part in parts)
+        return (
+            "by table" not in one.plan
+            and not told_apart
+            and any(_teaches(label, foods, one) for label, foods in taught)
+        )
 
     for one in techniques_called(dish_type, told):
         if one.is_called(dish_type, told) and not is_taught(one) and has_its_foods(one, wants, around):
@@ -91,8 +97,11 @@ def _asked(text: str) -> tuple[str, bool]:
 
 
 def _shown(line: Line) -> set[str]:
-    """Return what a video does, as ways ask for it: what its stages do, and what it is heated on or in."""
+    """Return what a video does, as ways ask for it: what its stages do, what it is heated on or in, and if first."""
     found = {stage.appliance for stage in line.all_stages() if not stage.does.isdisjoint(HEATS)}
+    hot = word_list("was made hot")
+    if any(slot.kind != "water" and not hot.isdisjoint(slot.states) for slot in line.all_slots()):
+        found.add("warm")
     return found.union(*(stage.does for stage in line.all_stages()))
 
 
@@ -198,19 +207,22 @@ def _kind_of(work: Work) -> Callable[..., Stage]:
 
 
 def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | None]:
-    """Return a food as a technique takes it, with the slot that says how it is cooked before."""
+    """Return a food as a technique takes it, with the slot that says how it is cooked before.
+
+    What is asked cut already is cut no other way, unless the row says that it is always done.
+    """
     if not foods.made:
         return want, None
     row = preparations()[foods.made]
     slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
     asked = known.state(want.make) if want.make else State("")
-    cut = asked.fineness > 0
+    shaped = _is_shaped(want, row, asked)
     facts = _still_owing(want.facts, asked, row.get("waives", ()))
     want = replace(want, cooked=row.get("said", want.cooked))
-    if "make" in row and (not cut or row.get("always")):
+    if "make" in row and shaped:
         squeezed = _is_squeezed(want, row["make"], known)
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")), squeezed=squeezed)
-    if not want.then and (not cut or row.get("always")):
+    if shaped and not want.then:
         want = _cooked_to(want, row.get("then", ""))
     return replace(want, facts=facts), slot
 
@@ -218,6 +230,13 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
 def _cooked_to(want: Want, state: str) -> Want:
     """Return a food that is cooked and then brought to a state; as it is where none is said."""
     return replace(want, then=state, cooked=True) if state else want
+
+
+def _is_shaped(want: Want, row: Mapping[str, Any], asked: State) -> bool:
+    """Whether a food is cut as a row says: not where it is asked cut already, nor pressed where its peel is asked."""
+    if row.get("make") == JUICE and want.make in word_list("is off the outside"):
+        return False
+    return asked.fineness == 0 or bool(row.get("always"))
 
 
 def _is_squeezed(want: Want, make: str, known: Tables) -> bool:

@@ -91,11 +91,16 @@ class Adding:
 
     def _complete(self, turn: Turn, vessel: Vessel, last: Join | Vessel, joins: Sequence[Join]) -> None:
         """Make one of all that is in a vessel: stirred, where something lies beside what was mixed and is no layer."""
-        stirred = self.work.lies_unmixed(vessel) and not _lies_on_top(last)
+        stirred = self.work.lies_unmixed(vessel) and not _lies_on_top(last) and not self._has_set(vessel)
         if stirred and not self.stages.lays(turn.stage, joins, turn.later):
             self.work.stir(vessel, self.plan.label, self.work.outcome.kept_states(vessel))
         else:
             self.work.name(vessel, self.plan.label)
+
+    def _has_set(self, vessel: Vessel) -> bool:
+        """Whether what is made by a table stood in the cold to set: what comes then lies on it, unless it is drunk."""
+        cold = any(not word_list("was set in the cold").isdisjoint(stuff.states) for stuff in vessel.contents)
+        return cold and self.plan.by_table and not self.plan.drunk
 
 
 def _is_fat(one: Join | Vessel) -> bool:

@@ -77,7 +77,8 @@ def _has_liquid_left(foods: Sequence[Food]) -> bool:
 
 def is_liquid_or_soft(stuff: Stuff, known: Tables) -> bool:
     """Return whether ``stuff`` runs or is scooped, by the tables ``known``."""
-    return form_of(known, stuff.label, stuff.states) in {"liquid", "soft"}
+    alone = stuff.foods[0] if len(stuff.foods) == 1 and stuff.label in word_list("called a mixture") else stuff.label
+    return form_of(known, alone, stuff.states) in {"liquid", "soft"}
 
 
 # --- what is moved in one piece, and what is not ---

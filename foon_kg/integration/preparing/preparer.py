@@ -125,8 +125,8 @@ class Preparer(Treater):
         if want.squeezed or want.at_hand or want.facts.is_a(*word_list("is grated off the whole")):
             return set()
         trimmed = want.make in word_list("is cut off at the ends")
-        earns = self.known.state(want.make).earns if want.make and not trimmed else frozenset()
-        return owed(want, self.known) | (earns & BY_HAND)
+        earns = self.known.state(want.make).earns & BY_HAND if want.make and not trimmed else frozenset()
+        return owed(want, self.known) | (earns & want.facts.owes.keys() or earns)  # hulled: cored, or out of a husk
 
     def is_mashed_raw(self, want: Want) -> bool:
         """Whether a food is asked in a form for which it is still too hard (mashed, shredded): it is cooked before."""

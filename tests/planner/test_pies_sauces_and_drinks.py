@@ -1,0 +1,234 @@
+"""Families of pies, puddings, sauces and drinks: which food joins when, what is not heated, what is made apart."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, inside, motions
+
+pytestmark = pytest.mark.shared_data
+
+CRUST = ("flour:powder:pastry", "butter:cold:pastry", "water:cold:pastry")
+
+
+def mixed(told, motion):
+    """Return the sets of foods that such a motion makes one of, in their order."""
+    return [set(outputs[0].ingredients) for _, one, outputs in told if one == motion]
+
+
+def test_what_is_listed_under_the_heading_of_a_crust_makes_its_dough_and_nothing_else_does(steps):
+    asked = ("apples:sliced:filling", "sugar:granulated:filling", "flour:powder:filling", "lemon juice:juice:filling")
+    told = steps("pie", "Apple Pie from Scratch", *CRUST, *asked)
+    assert inside(told, "knead") == {"flour", "butter", "water"}
+    assert mixed(told, "mix")[-1] == {"apples", "sugar", "flour", "lemon juice"}
+
+
+def test_almonds_and_butter_come_over_jam_in_a_dough_of_their_own(steps):
+    filling = ("raspberry jam:jelly:filling", "butter:unmelted:filling", "sugar:granulated:filling")
+    told = steps("pie", "Bakewell Tart", *CRUST, *filling, "almonds:ground:filling", "egg:beaten:filling")
+    assert inside(told, "knead") == {"flour", "butter", "water"}
+    assert mixed(told, "mix")[-1] == {"butter", "sugar", "almonds", "egg"}
+    assert first(told, "raspberry jam", "scoop") < motions(told).index("bake")
+
+
+def test_a_cream_that_is_cooked_sets_on_crumbs_that_are_not_baked(steps):
+    crust = ("Oreo cookies:whole:crust", "butter:melted:crust")
+    filling = ("sugar:granulated:filling", "cornstarch:powder:filling", "egg yolks:uncooked:filling")
+    topping = ("heavy cream:creamy:topping", "powdered sugar:powder:topping")
+    told = steps(
+        "pie", "Chocolate Cream Pie", *crust, *filling, "milk:liquid:filling", "chocolate:chopped:filling", *topping
+    )
+    assert "bake" not in motions(told)
+    assert inside(told, "cook and stir") == {"sugar", "cornstarch", "egg yolks", "milk", "chocolate"}
+    assert motions(told).index("press") < motions(told).index("chill") < first(told, "heavy cream", "beat")
+    assert "stir" not in motions(told)  # what has set is covered, and not stirred
+
+
+def test_only_cream_and_what_sweetens_it_is_whipped_of_a_topping(steps):
+    topping = ("heavy cream:creamy:topping", "powdered sugar:powder:topping", "chocolate curls:bar:topping")
+    asked = ("chocolate:melted", "butter:softened", "sugar:granulated", "eggs:uncooked")
+    told = steps("pie", "French Silk Pie", "pie crust:raw", *asked, *topping)
+    assert mixed(told, "beat")[-1] == {"heavy cream", "powdered sugar"}
+    assert first(told, "pie crust", "bake") < first(told, "eggs", "cook and stir") < motions(told).index("chill")
+    assert motions(told).count("bake") == 1
+
+
+def test_fruit_lies_under_crumbs_that_are_made_apart_under_a_heading(steps):
+    crumble = ("flour:plain:crumble", "brown sugar:granulated:crumble", "butter:cold:crumble", "oats:rolled:crumble")
+    told = steps(
+        "pie", "Apple Crumble", "apples:sliced:filling", "sugar:granulated:filling", *crumble, "custard::serving"
+    )
+    assert mixed(told, "mix") == [{"apples", "sugar"}, {"flour", "brown sugar", "butter", "oats"}]
+    assert motions(told)[-1] in {"scoop", "pour", "scoop and pour"}
+    assert "custard" not in inside(told, "bake")
+
+
+def test_what_is_served_with_a_cobbler_is_not_baked_with_it(steps):
+    topping = ("flour:powder:topping", "sugar:granulated:topping", "baking powder:powder:topping", "butter:cut:topping")
+    told = steps(
+        "pie", "Peach Cobbler", "peaches:sliced", "brown sugar:granulated", *topping, "ice cream:frozen:serving"
+    )
+    assert mixed(told, "mix") == [{"peaches", "brown sugar"}, {"flour", "sugar", "baking powder", "butter"}]
+    assert "ice cream" not in inside(told, "bake")
+
+
+def test_a_glaze_of_egg_is_brushed_on_and_eggs_that_were_boiled_are_not(steps):
+    asked = ("ground beef:raw", "onion:chopped", "eggs:boiled", "empanada wrappers:raw", "egg:beaten")
+    told = steps("pie", "Beef Empanadas", *asked)
+    (brushed,) = [inputs for inputs, motion, _ in told if motion == "brush"]
+    assert "egg" in brushed
+    assert "eggs" in inside(told, "mix")
+
+
+def test_onions_are_fried_before_they_lie_on_the_dough_of_a_tart(steps):
+    told = steps(
+        "pie", "Caramelized Onion Tart", "puff pastry:raw", "butter:unmelted", "onions:sliced", "goat cheese:crumbled"
+    )
+    assert first(told, "onions", "cook and stir") < motions(told).index("bake")
+
+
+def test_cream_is_whipped_and_nothing_is_cooked_for_an_ice_cream_of_condensed_milk(steps):
+    told = steps(
+        "pudding", "No Churn Vanilla Ice Cream", "heavy cream:cold", "condensed milk:thick liquid", "vanilla:liquid"
+    )
+    assert "cook and stir" not in motions(told)
+    assert motions(told).index("beat") < motions(told).index("fold")
+
+
+def test_sugar_is_cooked_before_cream_joins_it(steps):
+    told = steps("sauce", "Caramel Sauce", "sugar:granulated", "butter:cut", "heavy cream:creamy", "salt:granulated")
+    assert mixed(told, "cook and stir") == [{"sugar"}, {"sugar", "butter", "heavy cream"}]
+
+
+def test_hot_cream_comes_over_chocolate(steps):
+    told = steps("sauce", "Chocolate Ganache", "chocolate:chopped", "heavy cream:creamy")
+    assert inside(told, "cook and stir") == {"heavy cream"}
+    assert inside(told, "stir") == {"chocolate", "heavy cream"}
+
+
+def test_butter_joins_what_was_boiled_down(steps):
+    told = steps("sauce", "Beurre Blanc", "white wine:dry", "shallot:minced", "butter:cut", "salt:granulated")
+    assert mixed(told, "cook and stir")[0] == {"white wine", "shallot"}
+
+
+def test_eggs_of_a_curd_and_of_a_custard_are_cooked_and_poured(steps):
+    told = steps("sauce", "Lemon Curd", "lemon juice:juice", "sugar:granulated", "eggs:uncooked", "butter:cubed")
+    assert inside(told, "cook and stir") == {"lemon juice", "sugar", "eggs", "butter"}
+    assert told[-1][1] == "pour"
+    told = steps("drinks", "Eggnog", "eggs:uncooked", "sugar:granulated", "milk:liquid", "cream:creamy", "rum:liquid")
+    poured = next(
+        inputs for inputs, motion, _ in told if motion in {"pour", "pick-and-place"} and "drinking glass" in inputs
+    )
+    assert "turner" not in poured
+
+
+def test_a_dip_of_pulses_is_blended_and_a_dip_under_cheese_is_baked(steps):
+    told = steps("sauce", "Hummus", "chickpeas:drained", "tahini:creamy", "lemon juice:juice", "garlic:minced")
+    assert inside(told, "blend") == {"chickpeas", "tahini", "lemon juice", "garlic"}
+    told = steps("sauce", "Spinach Dip", "cream cheese:softened", "spinach:thawed", "mozzarella cheese:shredded")
+    assert inside(told, "bake") == {"cream cheese", "spinach", "mozzarella cheese"}
+
+
+def test_spices_in_wine_or_cider_are_drawn_over_the_heat_though_no_title_says_mulled(steps):
+    told = steps("drinks", "", "wine:liquid", "cinnamon:stick", "clove:whole", "honey:thick liquid")
+    assert first(told, "wine", "cook") < first(told, "mixture", "pour")
+
+
+def test_cocoa_in_milk_is_drunk_hot_and_with_a_banana_it_is_blended(steps):
+    asked = ("milk:liquid", "cocoa:powder", "sugar:granulated")
+    assert "cook and stir" in motions(steps("drinks", "", *asked))
+    assert "cook and stir" not in motions(steps("drinks", "", *asked, "banana:whole"))
+
+
+def test_mint_is_bruised_with_sugar_before_the_ice_comes(steps):
+    asked = ("bourbon:liquid", "sugar:granulated", "mint:leaves", "ice:frozen")
+    told = steps("drinks", "", *asked)
+    assert inside(told, "mash") == {"sugar", "mint"}
+    assert first(told, "mint", "mash") < first(told, "ice", "pour")
+
+
+def test_soda_comes_over_ice_cream(steps):
+    told = steps("drinks", "Root Beer Float", "root beer:liquid", "vanilla ice cream:frozen")
+    assert motions(told).index("scoop and pour") < first(told, "root beer", "pour")
+    assert "blend" not in motions(told)
+
+
+def test_coffee_grounds_stay_in_the_strainer(steps):
+    told = steps("drinks", "Iced Coffee", "ground coffee:ground", "water:liquid", "milk:liquid", "ice:frozen")
+    assert first(told, "ground coffee", "pour") < motions(told).index("pour and strain") < first(told, "milk", "pour")
+
+
+def test_a_hulled_berry_is_not_peeled(steps):
+    told = steps("sauce", "Strawberry Jam", "strawberries:hulled", "sugar:granulated")
+    assert "peel" not in motions(told)
+
+
+def test_a_mash_with_sugar_is_the_filling_of_a_pie_and_does_not_cover_it(steps):
+    asked = ("pie crust:raw", "sweet potatoes:mashed", "sugar:granulated", "eggs:uncooked", "milk:liquid")
+    told = steps("pie", "Sweet Potato Pie", *asked)
+    assert inside(told, "mix") == {"sweet potatoes", "sugar", "eggs", "milk"}
+
+
+def test_beaten_whites_lie_on_a_banana_pudding(steps):
+    asked = (
+        "sugar:granulated",
+        "flour:powder",
+        "eggs:separated",
+        "milk:liquid",
+        "vanilla wafers:whole",
+        "bananas:sliced",
+    )
+    told = steps("pudding", "Banana Pudding", *asked)
+    assert "egg whites" not in inside(told, "cook and stir")
+    assert motions(told).index("cook and stir") < first(told, "egg whites", "whisk") < motions(told).index("bake")
+
+
+def test_zest_is_grated_where_the_juice_of_the_same_fruit_is_squeezed(steps):
+    told = steps("pudding", "Lemon Posset", "double cream:creamy", "sugar:granulated", "lemons:zest", "lemons:juiced")
+    assert motions(told).count("squeeze") == 1
+    assert "grate" in motions(told)
+
+
+def test_a_title_with_accents_is_called_as_one_without(steps):
+    told = steps("sauce", "Sauce Béarnaise", "vinegar:liquid", "shallot:minced", "egg yolks:uncooked", "butter:melted")
+    assert inside(told, "cook and stir") == {"vinegar", "shallot"}
+
+
+def test_frozen_drinks_are_blended_with_their_ice_and_cold_brew_is_not_heated(steps):
+    told = steps("drinks", "Frozen Margarita", "ice:frozen", "tequila:liquid", "lime juice:juice")
+    assert inside(told, "blend") == {"ice", "tequila", "lime juice"}
+    told = steps("drinks", "Cold Brew Coffee", "coffee beans:ground", "water:cold")
+    assert not {"cook", "cook and stir", "boil", "heat"} & set(motions(told))
+    assert "pour and strain" in motions(told)
+
+
+def test_onions_for_a_dip_are_fried_and_cooled_before_they_meet_what_is_soured(steps):
+    told = steps("sauce", "French Onion Dip", "onions:chopped", "butter:unmelted", "sour cream:creamy")
+    cooled = next(place for place, motion in enumerate(motions(told)) if motion.startswith("cool"))
+    assert first(told, "onions", "cook and stir") < cooled < motions(told).index("stir")
+
+
+def test_chocolate_is_melted_in_hot_cream_for_a_tart_whose_crust_is_baked_alone(steps):
+    crust = ("flour:powder:crust", "butter:cold:crust", "egg:uncooked:crust")
+    told = steps("pie", "Chocolate Tart", *crust, "dark chocolate:chopped:filling", "heavy cream:creamy:filling")
+    assert inside(told, "bake") == {"flour", "butter", "egg"}
+    assert inside(told, "cook and stir") == {"heavy cream"}
+
+
+def test_the_cream_of_a_boston_cream_pie_is_none_of_its_cake(steps):
+    cake = ("flour:powder:cake", "sugar:granulated:cake", "eggs:uncooked:cake", "baking powder:powder:cake")
+    cream = ("milk:liquid:filling", "cornstarch:powder:filling", "egg yolks:uncooked:filling")
+    told = steps("pie", "Boston Cream Pie", *cake, *cream, "chocolate:bar:glaze", "cream:creamy:glaze")
+    assert inside(told, "fold") == {"flour", "sugar", "eggs", "baking powder"}
+    assert inside(told, "cook and stir") == {"milk", "cornstarch", "egg yolks"}
+
+
+def test_rhubarb_is_cooked_before_cream_is_folded_into_it(steps):
+    told = steps("pudding", "Rhubarb Fool", "rhubarb:chopped", "sugar:granulated", "double cream:creamy")
+    assert first(told, "rhubarb", "cook and stir") < motions(told).index("blend") < motions(told).index("fold")
+
+
+def test_cream_by_itself_is_whipped_and_a_frosting_is_beaten(steps):
+    told = steps("sauce", "Whipped Cream", "heavy cream:creamy", "powdered sugar:powder")
+    assert "beat" in motions(told)
+    told = steps("sauce", "Cream Cheese Frosting", "cream cheese:softened", "butter:softened", "powdered sugar:powder")
+    assert inside(told, "blend") == {"cream cheese", "butter", "powdered sugar"}
