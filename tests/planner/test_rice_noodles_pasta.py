@@ -186,3 +186,11 @@ def test_rice_with_mayonnaise_is_a_salad(steps):
     told = steps("rice", "", "rice:cooked", "mayonnaise:creamy", "celery:chopped", "lemon:juice", "onion:minced")
     assert "mayonnaise" in inside(told, "stir")
     assert not [inputs for inputs, one, _ in told if "celery" in inputs and one.startswith(("cook", "simmer"))]
+
+
+def test_a_bowl_of_rice_is_made_though_a_sauce_for_it_is_stirred_apart(steps):
+    told = steps("rice", "Salmon Rice Bowl", "salmon fillets:raw", "rice:cooked", "mayonnaise:creamy:sauce",
+                 "sriracha:sauce:sauce", "soy sauce:liquid", "avocado:sliced", "edamame:frozen")  # fmt: skip
+    off = max(place for place, motion in enumerate(motions(told)) if motion == "turn off")
+    assert min(n for n, (inputs, _, _) in enumerate(told) if {"avocado", "bowl"} <= inputs) > off
+    assert "mayonnaise" in inside(told, "stir")
