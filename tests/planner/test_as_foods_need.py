@@ -156,3 +156,14 @@ def test_the_rest_is_fried_in_the_fat_that_bacon_left_where_no_other_is_asked(st
 def test_mint_that_is_mixed_into_a_salad_is_chopped(steps):
     told = steps("salad", "Tabbouleh", "bulgur:", "parsley:fresh", "mint:fresh", "lemon juice:juice", "olive oil:")
     assert "chop" in [motion for inputs, motion, _ in told if "mint" in inputs]
+
+
+def test_a_paste_that_is_listed_by_itself_is_ground_and_then_fried(steps):
+    paste = ("shallot:whole:paste", "garlic:clove:paste", "lemongrass::paste", "cumin seed:whole:paste")
+    told = steps(
+        "beef", "Beef Rendang", "beef chuck:cubed", "oil:liquid", "coconut milk:liquid", "cinnamon stick:whole", *paste
+    )
+    ground = first(told, "garlic", "blend")
+    came = next(place for place, (inputs, _, _) in enumerate(told) if {"blender jar", "pot"} <= inputs)
+    assert ground < first(told, "beef chuck", "cook and stir") < came < first(told, "coconut milk", "pour")
+    assert lifted(told) == {"cinnamon stick"}

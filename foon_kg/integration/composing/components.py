@@ -312,16 +312,17 @@ def _worked_at(line: Line, at: str) -> list[Stage]:
 
 
 def _is_at(stage: Stage, at: str) -> bool:
-    """Whether a stage shapes, or mixes, as a component asks that joins there."""
+    """Whether a stage shapes, mixes or stews, as a component asks that joins there."""
     mixes = not stage.does.isdisjoint({"mix", "knead"})
     shapes = "shape" in stage.does and "heat" not in stage.does
-    return {"mixed": mixes, "tossed": mixes, "shaped": shapes}.get(at, False)
+    over_heat = "heat" in stage.does and "dry" not in stage.does
+    return {"mixed": mixes, "tossed": mixes, "shaped": shapes, "stewed": over_heat}.get(at, False)
 
 
 def _attached_to(line: Line, worked: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
     """Return a line with ``target`` after the last stage that shapes, or in the first or last one that mixes."""
-    if at in {"mixed", "tossed"}:
-        mixing = worked[0] if at == "mixed" else worked[-1]
+    if at in {"mixed", "stewed", "tossed"}:
+        mixing = worked[-1] if at == "tossed" else worked[0]
         whole, changed = with_line(line, mixing, next(add for add in target.adds if isinstance(add, Line)))
         return whole, changed[id(mixing)], changed
     became: dict[int, Stage] = {}

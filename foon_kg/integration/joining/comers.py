@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import Food, words
 from foon_kg.food.lists import word_list
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.teaching.frames import Line, Slot
 
 _BATHS = tuple(word_list("is a bath"))
@@ -217,6 +217,23 @@ def makes_a_sauce(joins: Sequence[Join]) -> bool:
 def is_bath(facts: Food) -> bool:
     """Whether other foods cook in a food."""
     return facts.is_of(*_BATHS) and not facts.is_a(*word_list("is no bath"))
+
+
+def unbeaten(foods: Sequence[Join], *, sets: bool) -> list[Join]:
+    """Return what of foods mixed cold is not beaten with the eggs among them, or eggs that come to a liquid."""
+    eggs = any_is(foods, "egg") and not any_is(foods, *word_list("is held together with eggs"))
+    bath = not sets and any(_is_bath_for_eggs(join.want.facts) for join in foods)
+
+    def comes_by_itself(facts: Food) -> bool:
+        fried_before = eggs and not facts.is_a("fat") and needs_pan(facts)
+        return fried_before or (bath and facts.is_a("egg"))
+
+    return [join for join in foods if comes_by_itself(join.want.facts)]
+
+
+def _is_bath_for_eggs(facts: Food) -> bool:
+    """Whether eggs are stirred into a food that boils; they are beaten with a little milk before they are fried."""
+    return is_bath(facts) and not facts.is_a(*word_list("is beaten with eggs"))
 
 
 def _seasons(facts: Food) -> bool:

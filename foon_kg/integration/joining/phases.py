@@ -11,9 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from foon_kg.food import Food, Tables
+from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.comers import (
+    BINDS,
     DRY_ORDER,
     EGGS,
     EGGS_FIRST,
@@ -30,10 +31,10 @@ from foon_kg.integration.joining.comers import (
     is_dry_binder,
     is_strewn,
     makes_a_sauce,
-    needs_pan,
     phase_in,
     phase_together,
     thickens,
+    unbeaten,
     untoasted,
 )
 from foon_kg.integration.joining.course import HEATS, WORKS, Plan
@@ -271,7 +272,7 @@ class _Phaser:
         if not _is_mixed_cold(line):
             return []
         foods = self._foods(line)
-        found = foods if is_dry_binder(foods) or self._comes_in_turn(foods) else _unbeaten(foods, sets=sets)
+        found = foods if is_dry_binder(foods) or self._comes_in_turn(foods) else unbeaten(foods, sets=sets)
         for joins in self.at.values():
             joins[:] = [join for join in joins if join not in found]
         return found
@@ -297,9 +298,17 @@ class _Phaser:
         """
         if self._strains(line.stages[-1]):
             return LAST if bath else WET
-        if bath and self.plan.one_pot and any("shape" in stage.does for stage in line.stages):
+        made = self._phase_as_made(line, bath=bath)
+        return made or phase_together([join.want.facts for join in self._foods(line)], bath=bath)
+
+    def _phase_as_made(self, line: Line, *, bath: bool) -> str:
+        """Return when a line joins by how it is made; ``""`` where that says nothing."""
+        does = frozenset[str]().union(*(stage.does for stage in line.stages))
+        if bath and self.plan.one_pot and "shape" in does:
             return SOON  # whoever stirs raw balls with the vegetables has none
-        return phase_together([join.want.facts for join in self._foods(line)], bath=bath)
+        if "blend" in does:
+            return BINDS if self._has_fat(()) else WET  # what was ground to a paste is fried
+        return ""
 
     def _water(self, vessel: _Vessel, *, fat: bool) -> Slot | None:
         """Return the free water of the video where something has to cook in it that is not fried."""
@@ -373,27 +382,10 @@ def _done_like(stage: Stage, pattern: Stage) -> Stage:
     return replace(stage, motion=pattern.motion, does=pattern.does, tools=pattern.tools)
 
 
-def _is_bath_for_eggs(facts: Food) -> bool:
-    """Whether eggs are stirred into a food that boils; they are beaten with a little milk before they are fried."""
-    return is_bath(facts) and not facts.is_a(*word_list("is beaten with eggs"))
-
-
 def _has_to_boil_here(want: Want) -> bool:
     """Whether a food is not done unless it is boiled, and nobody boils such by itself."""
     boiled_apart = want.cooked or want.facts.is_a(*word_list("is boiled by itself"))
     return "boil" in want.facts.owes and not boiled_apart
-
-
-def _unbeaten(foods: Sequence[Join], *, sets: bool) -> list[Join]:
-    """Return what of foods mixed cold is not beaten with the eggs among them, or eggs that come to a liquid."""
-    eggs = any_is(foods, "egg") and not any_is(foods, *word_list("is held together with eggs"))
-    bath = not sets and any(_is_bath_for_eggs(join.want.facts) for join in foods)
-
-    def comes_by_itself(facts: Food) -> bool:
-        fried_before = eggs and not facts.is_a("fat") and needs_pan(facts)
-        return fried_before or (bath and facts.is_a("egg"))
-
-    return [join for join in foods if comes_by_itself(join.want.facts)]
 
 
 def _same_place(one: Stage, other: Stage) -> bool:

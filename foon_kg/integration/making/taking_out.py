@@ -32,14 +32,14 @@ class TakingOut:
 
     def is_due(self, vessel: Vessel) -> bool:
         """Whether something in a vessel only gives its taste."""
-        return bool(self._inside(vessel, self._is_taken_out))
+        return bool(self._to_take_out(vessel))
 
     def take_out(self, vessel: Vessel) -> Vessel:
         """Take out of what was cooked in a liquid what only gave it its taste, where the FOON shows how.
 
         Return what the rest is in then: what is drunk is poured through a strainer.
         """
-        wants = self._inside(vessel, self._is_taken_out)
+        wants = self._to_take_out(vessel)
         loose = any(not want.facts.is_a(*word_list("is taken out of the dish")) for want in wants)
         if self.plan.drunk and loose and len(vessel.contents) == 1:  # a bag or a stick is lifted out
             return self._strain(vessel, wants)
@@ -55,6 +55,13 @@ class TakingOut:
         """Pour what was blended through a strainer, in which stays what does not run; return what the rest is in."""
         wants = self._inside(vessel, lambda want: want.facts.is_a(*word_list("stays in a strainer")))
         return self._strain(vessel, wants) if wants and len(vessel.contents) == 1 else vessel
+
+    def _to_take_out(self, vessel: Vessel) -> list[Want]:
+        """Return what only gives its taste to what is in a vessel, and was not ground to a paste before."""
+        ground = {join.want.number for join in self.plan.joins if "blend" in join.spot.stage.does}
+        return [
+            want for want in self._inside(vessel, self._is_taken_out) if self.plan.drunk or want.number not in ground
+        ]
 
     def _inside(self, vessel: Vessel, is_such: Callable[[Want], bool]) -> list[Want]:
         """Return the asked foods of a kind that are in a vessel."""
