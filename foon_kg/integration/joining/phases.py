@@ -284,7 +284,8 @@ class _Phaser:
         """
         binds = any_is(foods, *word_list("makes lumps")) and not self._has_fat(foods)
         held = any_is(foods, *word_list("holds a mixture together") - word_list("makes lumps"))
-        return self.plan.one_pot and not binds and not held
+        seasoned = all(is_bath(one.want.facts) or one.want.facts.is_a("herb", "spice") for one in foods)
+        return (self.plan.one_pot or seasoned) and not binds and not held
 
     def _bath_of(self, line: Line) -> list[Join]:
         """Return what of a line may be liquid to cook in: not drained water, nor what eggs are beaten with."""

@@ -68,7 +68,6 @@ class Readying:
             ("sliced", self.plan.stacked, "is sliced to be stacked"),
             ("chopped", small, "is cut for a dish"),
             ("shaved", self._is_mixed(join), "is cut off its cob"),
-            ("crumbled", self.plan.in_pieces, "is crumbled"),
             ("chopped", _is_done_later(join, MIXES), "is cut to be mixed"),
             ("crushed", _is_done_later(join, {"dry"}), "is crushed to be baked"),
         ]
@@ -76,7 +75,7 @@ class Readying:
         melts = [
             ("grated", True, "is grated over it"),
             ("grated", hot, "is grated to melt"),
-            ("crumbled", hot, "is crumbled"),
+            ("crumbled", not self.plan.stacked, "is crumbled"),
         ]
         form = join.slot.states if join.slot is not None else ()
         return (*_those(melts, facts), *form, *_those(needs, facts))

@@ -254,8 +254,8 @@ class Preparer(Treater):
 
 def _is_served_cut(want: Want) -> bool:
     """Whether nobody serves a food in one piece, though it could be eaten so."""
-    if _is_cut_though_dried(want):
-        return True
+    if _is_cut_though_dried(want) or want.facts.is_a(*word_list("is too large in leaves")):
+        return "cut" in want.facts.owes
     raw = want.facts.is_a("raw") and not want.facts.is_a(*word_list("is served in leaves"))
     return raw and "cut" in want.facts.owes
 
