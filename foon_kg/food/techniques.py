@@ -152,6 +152,7 @@ class Work:
     ``states`` are what the whole is then, where the FOON shows several for its motion. ``phased``: foods join in the
     order of what they are. ``on_top``: what joins only lies on it. ``bath``: it is done in water that is poured off.
     ``always``: it is done even to one food that needs no work.
+    ``lifts``: flesh is lifted out of the rest; ``rejoins``: that comes to it again.
     """
 
     motion: str = ""
@@ -167,6 +168,8 @@ class Work:
     on_top: bool = False
     bath: bool = False
     always: bool = False
+    lifts: bool = False
+    rejoins: bool = False
 
 
 @dataclass(frozen=True)

@@ -80,8 +80,9 @@ def _says_what_is_put_on(technique: Technique | None) -> bool:
 
 
 def _is_named(sides: Sequence[Side]) -> bool:
-    """Whether a recipe says itself of any food for which part it is."""
-    return any(want.part for side in sides for want in side.wants)
+    """Whether a recipe says itself of any food for which part it is, and not only that it is served with the dish."""
+    done = {"", *word_list("is for what is done")}
+    return any(want.part not in done for side in sides for want in side.wants)
 
 
 def _for_its_lines(foods: Sequence[Want], technique: Technique | None) -> tuple[Want, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -18,6 +18,16 @@ from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
 from foon_kg.integration.teaching.frames import BATH, Asked, Line, Phase, Slot, Stage
 from foon_kg.integration.teaching.operators import form_of
+
+
+@dataclass(frozen=True)
+class LiftedOut(Stage):
+    """A stage at which flesh is lifted out of what it was cooked in."""
+
+
+@dataclass(frozen=True)
+class Rejoined(Stage):
+    """A stage at which the rest comes to flesh that was lifted out of it."""
 
 
 def technique_for(
@@ -203,6 +213,8 @@ def _kind_of(work: Work) -> Callable[..., Stage]:
     """Return what makes a stage of the kind that does such work: over the heat, in any case, or any other."""
     if work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased:
         return partial(Phase, bath=work.bath)
+    if work.lifts or work.rejoins:
+        return LiftedOut if work.lifts else Rejoined
     return Asked if work.always else Stage
 
 

@@ -14,6 +14,7 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel
 from foon_kg.integration.composing.crowned import crowned
+from foon_kg.integration.composing.techniques import LiftedOut
 from foon_kg.integration.joining.course import HEATS, Course, Plan
 from foon_kg.integration.joining.phases import in_phases
 from foon_kg.integration.joining.spots import Join
@@ -22,6 +23,7 @@ from foon_kg.integration.making.alone import Alone
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.dipping import Dipping
 from foon_kg.integration.making.doing import Doing
+from foon_kg.integration.making.lifting import Lifting
 from foon_kg.integration.making.placing import Placing
 from foon_kg.integration.making.precooking import Precooking
 from foon_kg.integration.making.readying import Readying
@@ -59,6 +61,7 @@ class Cooking:
         self.placing = Placing(bench, self.stages, self.carry, self.work, self.ready)
         self.adding = Adding(self.alone, self.placing)
         self.doing = Doing(self.placing)
+        self.lifting = Lifting(self.work)
 
     # --- the whole ---
 
@@ -119,13 +122,18 @@ class Cooking:
                 self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
                 oven = ""
             self._make_late(turn, vessel, made, late)
-            if vessel is not None and turn.stage.motion in word_list("strains"):
-                vessel = self.work.taking_out.strained(vessel)
-            else:
-                vessel = self._stage(turn, vessel, made)
+            vessel = self._parted(turn.stage, vessel) or self._stage(turn, vessel, made)
         if vessel is not None:
             self.bench.heat_off(vessel)
         return vessel
+
+    def _parted(self, stage: Stage, vessel: Vessel | None) -> Vessel | None:
+        """Return in what flesh is that is lifted out, or what runs through a strainer; ``None`` at any other stage."""
+        if vessel is not None and stage.motion in word_list("strains"):
+            return self.work.taking_out.strained(vessel)
+        if vessel is not None and isinstance(stage, LiftedOut):
+            return self.lifting.lifted(stage, vessel)
+        return None
 
     def _alive(self, stage: Stage) -> list[Line]:
         """Return the lines that join at a stage and that something asked joins."""
@@ -171,7 +179,7 @@ class Cooking:
         stage = turn.stage
         joins = self.serving.in_layers(self.course.ordered(stage))
         beside = _made_for(stage, made)
-        comers = Comers(joins, [one for _, one in beside])
+        comers = Comers(joins, [*(one for _, one in beside), *self.lifting.returned(stage)])
         if vessel is None and not comers:
             return None
         stacked = turn.main and self.plan.stacked and self.stacking.is_put_together(stage, joins, turn.later)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from foon_kg.integration.bench import Stuff, Vessel
 from foon_kg.integration.joining.course import COATS, MIXES, WORKS
+from foon_kg.integration.making.lifting import lifts_later
 from foon_kg.integration.making.outcome import MIXTURE, says_raw
 from foon_kg.integration.making.placing import Placing
 from foon_kg.integration.making.turns import Turn
@@ -99,7 +100,7 @@ class Doing:
 
     def _label(self, turn: Turn, vessel: Vessel) -> str:
         """Return what the whole is called after a stage; ``""`` where it gets no name by it."""
-        last = turn.main and not self.stages.is_worked_later(turn.later)
+        last = turn.main and not self.stages.is_worked_later(turn.later) and not lifts_later(turn.later)
         return self.work.outcome.label(turn.stage, vessel, last=last, main=turn.main)
 
     def _coated(self, turn: Turn, vessel: Vessel) -> str:
@@ -132,6 +133,10 @@ class Doing:
             return vessel
         self.bench.heat_off(vessel)
         if len(vessel.contents) > 1:
-            own = self.plan.label if turn.main else self.work.outcome.label(turn.stage, vessel)
+            own = (
+                self.plan.label
+                if turn.main and not lifts_later(turn.later)
+                else self.work.outcome.label(turn.stage, vessel)
+            )
             self.work.name(vessel, own or MIXTURE)
         return self.work.taking_out.take_out(vessel)

@@ -11,7 +11,7 @@ from functools import cached_property
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.parted import PART
-from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat
+from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat, is_heated
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.course import HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.spots import Join, only_carries
@@ -237,7 +237,7 @@ class Stages:
         """Whether hands would work one food that needs none of it: dough is rolled, and what is baked is cut open."""
         single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
         rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
-        opened = stage.does == {"cut"} and "baked" in vessel.contents[0].states
+        opened = stage.does == {"cut"} and is_heated(vessel.contents[0].states, self.known)
         return single and stage.does.isdisjoint({"peel", "wait"}) and not rolled and not opened
 
     def _is_awaited(self, following: Stage) -> bool:

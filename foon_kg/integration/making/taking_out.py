@@ -43,32 +43,36 @@ class TakingOut:
         loose = any(not want.facts.is_a(*word_list("is taken out of the dish")) for want in wants)
         if self.plan.drunk and loose and len(vessel.contents) == 1:  # a bag or a stick is lifted out
             return self._strain(vessel, wants)
-        ways = [way for way in self.bench.ways_by(word_list("takes out")) if self._lifts(way)]
+        ways = self.lifting_ways()
         for whole in list(vessel.contents):
             lifted = self._liftable(whole, wants)
             attested = self.bench.near_or_far(ways, lifted[0].names) if lifted else None
             if attested is not None:
-                self._lift(vessel, whole, lifted, attested)
+                self.lift(vessel, whole, lifted, attested, self.bench.vessel("plate"))
         return vessel
 
     def strained(self, vessel: Vessel) -> Vessel:
         """Pour what was blended through a strainer, in which stays what does not run; return what the rest is in."""
-        wants = self._inside(vessel, lambda want: want.facts.is_a(*word_list("stays in a strainer")))
+        wants = self.inside(vessel, lambda want: want.facts.is_a(*word_list("stays in a strainer")))
         return self._strain(vessel, wants) if wants and len(vessel.contents) == 1 else vessel
 
     def _to_take_out(self, vessel: Vessel) -> list[Want]:
         """Return what only gives its taste to what is in a vessel, and was not ground to a paste before."""
         ground = {join.want.number for join in self.plan.joins if "blend" in join.spot.stage.does}
         return [
-            want for want in self._inside(vessel, self._is_taken_out) if self.plan.drunk or want.number not in ground
+            want for want in self.inside(vessel, self._is_taken_out) if self.plan.drunk or want.number not in ground
         ]
 
-    def _inside(self, vessel: Vessel, is_such: Callable[[Want], bool]) -> list[Want]:
-        """Return the asked foods of a kind that are in a vessel."""
+    def inside(self, vessel: Vessel, is_such: Callable[[Want], bool]) -> list[Want]:
+        """Return the asked foods in a ``vessel`` for which ``is_such`` holds."""
         inside = {number for stuff in vessel.contents for number in stuff.wants}
         return [join.want for join in self.plan.joins if join.want.number in inside and is_such(join.want)]
 
     # --- lifted out ---
+
+    def lifting_ways(self) -> list[Way]:
+        """Return the ways by which something is lifted out of the rest."""
+        return [way for way in self.bench.ways_by(word_list("takes out")) if self._lifts(way)]
 
     def _lifts(self, way: Way) -> bool:
         """Whether a way is done with a tool that lifts."""
@@ -90,16 +94,27 @@ class TakingOut:
             return False
         return plucked.isdisjoint(states) and fineness(states, self.known) == 0
 
-    def _lift(self, vessel: Vessel, whole: Stuff, wants: Sequence[Want], attested: Attested) -> None:
-        """Lift foods out of a mixture onto a plate."""
-        plate = self.bench.vessel("plate")
-        parts = self._parts(wants, ("cooked",), plate)
+    def lift(
+        self,
+        vessel: Vessel,
+        whole: Stuff,
+        wants: Sequence[Want],
+        attested: Attested,
+        target: Vessel,
+        *,
+        asked: bool = False,
+    ) -> None:
+        """Lift ``wants`` out of the ``whole`` in a ``vessel`` onto ``target``, in the way that is ``attested``.
+
+        They are still ``asked`` for, unless they only gave their taste.
+        """
+        parts = self._parts(wants, ("cooked",), target, asked=asked)
 
         def change() -> None:
             _forget(whole, wants)
-            plate.contents += parts
+            target.contents += parts
 
-        self.bench.emit(attested, [vessel, whole, plate], change, [vessel, whole, plate, *parts])
+        self.bench.emit(attested, [vessel, whole, target], change, [vessel, whole, target, *parts])
 
     # --- strained ---
 
@@ -123,9 +138,18 @@ class TakingOut:
         self.bench.emit(attested, [vessel, whole, strainer, jug], change, [jug, whole, strainer, *left, vessel])
         return jug
 
-    def _parts(self, wants: Sequence[Want], states: tuple[str, ...], place: Vessel) -> list[Stuff]:
-        """Return the foods that come out of a mixture into ``place``; nobody asks for them any more."""
-        return [Stuff(want.label, self.bench.number(), states, (want.label,), frozenset(), place) for want in wants]
+    def _parts(
+        self, wants: Sequence[Want], states: tuple[str, ...], place: Vessel, *, asked: bool = False
+    ) -> list[Stuff]:
+        """Return the foods that come out of a mixture into ``place``; unless ``asked`` nobody looks for them then."""
+        return [
+            Stuff(want.label, self.bench.number(), states, (want.label,), _numbers(want, asked=asked), place)
+            for want in wants
+        ]
+
+
+def _numbers(want: Want, *, asked: bool) -> frozenset[int]:
+    return frozenset({want.number} if asked else ())
 
 
 def _forget(whole: Stuff, wants: Sequence[Want]) -> None:

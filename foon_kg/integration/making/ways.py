@@ -104,7 +104,8 @@ def _is_mixed_by_hand(stage: Stage, vessel: Vessel) -> bool:
 
 
 def _is_the_same_for_any(stage: Stage) -> bool:
-    """Whether a stage is done to any food alike: to roll and to pinch are, and what blades and cold do."""
-    if stage.does == {"shape"} or "blend" in stage.does or (stage.source == "cold" and "wait" in stage.does):
+    """Whether a stage is done to any food alike: to roll, pinch and cut are, and what blades and cold do."""
+    chilled = stage.source == "cold" and "wait" in stage.does
+    if stage.does in ({"shape"}, {"cut"}) or "blend" in stage.does or chilled:
         return True
     return isinstance(stage, Asked) or stage.motion in word_list("pulls flesh apart")

@@ -31,12 +31,13 @@ class Worker:
 
     # --- told as one thing ---
 
-    def name(self, vessel: Vessel, label: str) -> None:
-        """Let the last step tell what is in a vessel as one thing called ``label``."""
+    def name(self, vessel: Vessel, label: str, states: tuple[str, ...] | None = None) -> None:
+        """Let the last step tell what is in a ``vessel`` as one thing called ``label``, in ``states`` if said."""
         parts = list(vessel.contents)
         if len(parts) == 1 and parts[0].label == label:
             return
         whole = self._whole(vessel, label)
+        whole.states = whole.states if states is None else states
         vessel.contents[:] = [whole]
         last = self.bench.done[-1]
         self.bench.done[-1] = replace(last, step=self._told_as_one(last.step, vessel, parts))

@@ -1,0 +1,71 @@
+"""Flesh is lifted out of what it was cooked in, to be carved or pulled apart, and comes back to that on the plate."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Stuff, Vessel
+from foon_kg.integration.composing.techniques import LiftedOut, Rejoined
+from foon_kg.integration.making.working import Worker
+from foon_kg.integration.preparing.preparation import Want
+from foon_kg.integration.teaching.frames import Stage
+
+
+class Lifting:
+    """Lifts the flesh of one dish out of a vessel; what stays behind waits in that until the flesh is ready."""
+
+    def __init__(self, work: Worker) -> None:
+        self.work = work
+        self.taking_out = work.taking_out
+        self.bench = work.bench
+        self.known = work.known
+        self.left: list[Vessel] = []
+
+    def lifted(self, stage: Stage, vessel: Vessel) -> Vessel:
+        """Return in what flesh is that was lifted out of a ``vessel`` at a ``stage``; ``vessel`` where none was."""
+        wants = self.taking_out.inside(vessel, self._is_lifted)
+        self.bench.heat_off(vessel)
+        target = self.bench.vessel(stage.vessel)
+        for stuff in list(vessel.contents):
+            self._lift(stuff, [want for want in wants if want.number in stuff.wants], target)
+        if not target.contents:
+            return vessel
+        self.left = [vessel] if vessel.contents else []
+        return target
+
+    def returned(self, stage: Stage) -> list[Vessel]:
+        """Return what flesh was lifted out of, where the rest comes to it at this stage."""
+        if not isinstance(stage, Rejoined):
+            return []
+        left, self.left = self.left, []
+        return left
+
+    def _is_lifted(self, want: Want) -> bool:
+        return want.facts.is_a(*word_list("is flesh")) and not want.facts.is_a(*word_list("stays in its sauce"))
+
+    def _lift(self, stuff: Stuff, wants: Sequence[Want], target: Vessel) -> None:
+        """Lift ``wants`` out of a thing; the thing itself, with what clings to it, where it is nothing else."""
+        vessel = stuff.at
+        if not wants or vessel is None:
+            return
+        attested = self.bench.near_or_far(self.taking_out.lifting_ways(), wants[0].names)
+        if attested is None:
+            return
+        if stuff.mixed:
+            self.taking_out.lift(vessel, stuff, wants, attested, target, asked=True)
+            return
+        clings = [one for one in vessel.contents if one is not stuff and self._clings(one)]
+        self.bench.bring([stuff, *clings], target, attested, leaves=True)
+        if clings:
+            self.work.name(target, stuff.label, stuff.states)
+
+    def _clings(self, stuff: Stuff) -> bool:
+        """Whether a thing lies on flesh and is lifted with it: what that was rubbed, brushed or strewn with."""
+        foods = map(self.known.foods.food, stuff.foods)
+        return all(food.is_a(*word_list("clings to what is lifted")) for food in foods)
+
+
+def lifts_later(later: Sequence[Stage]) -> bool:
+    """Whether at one of the stages that come ``later`` flesh is lifted out, or the rest comes to it."""
+    return any(isinstance(stage, LiftedOut | Rejoined) for stage in later)
