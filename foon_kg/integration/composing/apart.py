@@ -40,10 +40,10 @@ def apart(
     *,
     baked: bool,
 ) -> Apart:
-    """Return how the foods of a recipe are parted. What is asked separated is so where one part is beaten by itself.
+    """Return how ``wants``, the foods of a recipe, are parted; what is asked separated, where one part is beaten alone.
 
-    ``dishes`` are those that it is called; ``recorded`` is what the videos of its type make, each with its foods;
-    ``baked``: it comes out of an oven.
+    ``dishes`` are those that the recipe is called; ``recorded`` is what the videos of its type make, each with its
+    foods; ``known`` are the tables; ``baked``: it comes out of an oven.
     """
     foods = tuple(_in_parts(wants, known))
     found = _parted(foods, recipe, dishes, recorded, baked=baked)

@@ -43,9 +43,10 @@ class Side:
 def sides_of(
     wants: Sequence[Want], kept: Sequence[Want], dishes: Iterable[Dish], dish_type: str, title: str, *, baked: bool
 ) -> tuple[tuple[Want, ...], tuple[Side, ...]]:
-    """Return what is left of the foods of a recipe, and the components that are made beside it.
+    """Return what is left of ``wants``, the foods of a recipe, and the components that are made beside it.
 
-    ``kept`` are foods that are for none. ``baked``: its name says that the dish comes out of an oven.
+    ``kept`` are those that a line of the dish's technique has already. ``dishes`` are those that it is called by
+    ``dish_type`` and ``title``; ``baked``: these say that it comes out of an oven.
     """
     held = {name for name in _HOLDS if any(getattr(dish, name) for dish in dishes)}
     held |= {"baked"} if baked or "tin" in held else set()
@@ -253,7 +254,10 @@ def _have(needs: Sequence[Sequence[Foods]], wants: Sequence[Want], around: Aroun
 def with_sides(
     line: Line, joins: Sequence[Join], sides: Sequence[Side], told: Sequence[str], known: Tables
 ) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that each component joins, and the joins with those of its foods."""
+    """Return a line that each component, one of ``sides``, joins, and the joins with those of its foods.
+
+    ``told`` are the words of the dish's title, ``known`` the tables.
+    """
     for side in sides:
         line, joins = _with_side(line, joins, side, told, known)
     return line, tuple(joins)

@@ -20,9 +20,9 @@ _POWDER = 5
 
 
 def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
-    """Return how a dish is made whose nuts, wedges and the like come on it when it is done.
+    """Return ``line`` and ``plan`` for a dish whose nuts, wedges and the like come on it when it is done.
 
-    That is so where the last that is done to the dish is to cook it over the heat.
+    That is so where the last that is done to the dish is to cook it over the heat. ``known`` are the tables.
     """
     if any((plan.stacked, plan.cold, plan.laid, plan.in_pieces, plan.tin)):
         return line, plan
@@ -54,9 +54,10 @@ def _cooked_last(line: Line) -> int | None:
 
 
 def strewn_under(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Join, ...]:
-    """Return joins with what is strewn under dough where that comes on what it is baked on, so that it does not stick.
+    """Return joins with what is strewn under the dough of ``line`` where it comes on what it is baked on.
 
-    It is no part of the dough that is made of something else, nor of what lies on it.
+    It would stick there otherwise. It is no part of the dough that is made of something else, nor of what lies on it.
+    ``known`` are the tables.
     """
     strewn = [join for join in joins if join.want.facts.is_a(*word_list("is strewn under dough"))]
     tin = _tin(line, known)
@@ -78,10 +79,10 @@ def _tin(line: Line, known: Tables) -> Stage | None:
 def wedges_last(
     line: Line, joins: Sequence[Join], *, spooned: bool, slices_beside: bool
 ) -> tuple[Line, tuple[Join, ...]]:
-    """Return how a dish is made beside which wedges are served: nobody cooks them, whatever comes into its place.
+    """Return ``line`` and ``joins`` for a dish beside which wedges are served: nobody cooks them, wherever they come.
 
-    Where all is eaten with the spoon (``spooned``) they lie in its bowl. ``slices_beside``: slices that the
-    recorded dish does not cook are served so, too, unless something soaks them. They lie in what the dish is served in.
+    Where all is eaten with the spoon (``spooned``) they lie in its bowl. ``slices_beside``: slices that the recorded
+    dish does not cook are served so, too, unless something soaks them. They lie in what the dish is served in.
     """
     slices_beside = slices_beside and not any_is(joins, *word_list("is soaked up by slices"))
 

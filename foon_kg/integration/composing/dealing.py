@@ -48,7 +48,10 @@ def line_told(part: str, lines: Collection[str]) -> str:
 
 
 def means(foods: Foods, want: Want, around: Around) -> bool:
-    """Whether a food of a recipe is one of those that a text of the table means."""
+    """Return whether ``want``, a food of a recipe, is one of those that a text of the table means.
+
+    ``around`` are the foods and the title that it is asked with.
+    """
     return foods.mean(want.label, want.facts, _states(want) if foods.state else (), around)
 
 
@@ -71,13 +74,19 @@ def _states(want: Want) -> set[str]:
 
 
 def takes(one: Technique, want: Want, around: Around) -> bool:
-    """Whether what a recipe says is for a row joins it: its lines name that, or take anything, or do not mix it."""
+    """Return whether ``want``, a food that a recipe says is for a row, joins ``one``, the technique of that row.
+
+    It does where its lines name the food, take anything, or mix nothing; ``around`` are the other foods with the title.
+    """
     foods = [some for parts in one.lines.values() for part in parts for some in part.foods]
     return not foods or any(some.is_rest or means(some, want, around) for some in foods)
 
 
 def has_its_foods(one: Technique, wants: Sequence[Want], around: Around) -> bool:
-    """Whether the foods of a recipe are those that a row needs."""
+    """Return whether ``wants``, the foods of a recipe, are those that the technique ``one`` needs.
+
+    ``around`` are the same foods with the title.
+    """
     if not all(any(means(some, want, around) for some in need for want in wants) for need in one.needs):
         return False
     if any(means(some, want, around) for some in one.without for want in wants):
@@ -89,6 +98,7 @@ def dealt(technique: Technique, joins: Sequence[Join], around: Around) -> list[D
     """Return at which part of a technique each food joins, and then the second portions of some of them.
 
     What a recipe says itself of a food comes before all; then what the table names, and what it takes of the rest.
+    ``around`` are the foods and the title that they are asked with.
     """
     wishes = _wishes(technique)
     dealer = _Dealer(technique, joins, around)

@@ -33,7 +33,7 @@ class Rejoined(Stage):
 def technique_for(
     dish_type: str, told: Sequence[str], wants: Sequence[Want], recorded: Iterable[tuple[str, Collection[str]]] = ()
 ) -> Technique | None:
-    """Return the first technique of the table that a dish is called by, and for which its foods are there.
+    """Return the first technique of the table that a dish is called by, and for which its foods, ``wants``, are there.
 
     ``told`` are the words of its title, ``recorded`` what the videos of its type make, each with its foods: where one
     of them makes what the title says, of the foods that the technique needs, it teaches that, and no table, unless the
@@ -81,10 +81,10 @@ def as_a_way_says(
     when: str = "ways",
     baked: bool = False,
 ) -> tuple[Line, tuple[Join, ...]]:
-    """Return how a dish is made by the first way of the table that a word of its name asks for; else as it is.
+    """Return ``line`` and ``joins`` by the first way of the table that a word of the name asks for; or as they are.
 
     ``dishes`` are those that it is called; ``told`` are the words of its type and title, ``baked``: they say that it
-    comes out of an oven. ``when`` names one of the tables of ways.
+    comes out of an oven. ``when`` names one of the tables of ways; ``known`` are those of foods and motions.
     """
     wants = [join.want for join in joins]
     around = Around([want.facts for want in wants], told)
@@ -118,7 +118,10 @@ def _shown(line: Line) -> set[str]:
 def carried_out(
     technique: Technique, joins: Sequence[Join], told: Sequence[str], known: Tables
 ) -> tuple[Line, tuple[Join, ...]]:
-    """Return the line of a technique with every food at the stage that is for it; ``told`` are the title's words."""
+    """Return the line of a technique with every food of ``joins`` at the stage that is for it.
+
+    ``told`` are the title's words, ``known`` the tables.
+    """
     placed = _Placed(technique, joins, Around([join.want.facts for join in joins], told))
     line = placed.line(MAIN)
     spots = {id(spot.stage): spot for spot in spots_of(line)}

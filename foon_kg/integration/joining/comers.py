@@ -62,7 +62,10 @@ class Medium:
 
 
 def phase_of(facts: Food) -> str:
-    """Return in which phase a food joins a vessel over the heat: by its name or kind, else by the broader ones."""
+    """Return in which phase a food of these ``facts`` joins a vessel over the heat.
+
+    It is told by its name or kind, else by the broader ones.
+    """
     for own in (facts.taken_for, facts.kind):
         for name in _MOST_TELLING:
             if own in word_list(name):
@@ -73,7 +76,8 @@ def phase_of(facts: Food) -> str:
 def phase_in(join: Join, medium: Medium, *, apart: bool) -> str:
     """Return in which phase an asked food joins: what no knife cuts takes as long as anything in the liquid.
 
-    ``apart``: what is boiled and drained is boiled by itself, and done when it joins.
+    ``medium`` is what there is to cook in. ``apart``: what is boiled and drained is boiled by itself, and done when it
+    joins.
     """
     facts = join.want.facts
     if not medium.bath:
@@ -88,7 +92,7 @@ def phase_in(join: Join, medium: Medium, *, apart: bool) -> str:
 
 
 def phase_suited(facts: Food, medium: Medium) -> str:
-    """Return in which phase a food joins where there is fat to fry in and a liquid to cook in, or not."""
+    """Return in which phase a food of these ``facts`` joins where ``medium`` has fat to fry in and a liquid, or not."""
     phase = phase_of(facts)
     if phase in {FRIED, BINDS} and not medium.fat:
         return WET
@@ -101,7 +105,10 @@ def phase_suited(facts: Food, medium: Medium) -> str:
 
 
 def phase_together(foods: Sequence[Food], *, bath: bool) -> str:
-    """Return when foods join that were put together beside the vessel: with the first that does not only fry."""
+    """Return when foods join that were put together beside the vessel: with the first that does not only fry.
+
+    ``bath``: there is a liquid that they cook in.
+    """
     if any(one.is_a(*word_list("is flesh")) for one in foods):
         return FRIED
     phases = {phase_suited(one, Medium(fat=True, bath=bath)) for one in foods}
@@ -110,7 +117,7 @@ def phase_together(foods: Sequence[Food], *, bath: bool) -> str:
 
 
 def in_parts(comers: Sequence[Comer], order: Sequence[str]) -> list[list[Comer]]:
-    """Return what joins, parted by its phases; what only seasons, and fat, makes no phase of its own."""
+    """Return the ``comers`` of a stage, parted by the phases of ``order``; what only seasons, and fat, makes none."""
     parts: list[list[Comer]] = []
     waiting: list[Comer] = []
     for name in order:
@@ -188,26 +195,26 @@ def _is_stirred_on_flour(facts: Food | None) -> bool:
 
 
 def is_strewn(join: Join) -> bool:
-    """Whether a food is strewn on what is done; leaves that give their taste only by and by are not."""
+    """Return whether the food of ``join`` is strewn on what is done; leaves that give their taste by and by are not."""
     facts = join.want.facts
     return join.on_top or (facts.is_a("topping", "herb") and phase_of(facts) == LAST)
 
 
 def is_dry_binder(joins: Sequence[Join]) -> bool:
-    """Whether there is nothing but flour or starch, with what seasons it: a cook stirs it into the fat as it is."""
+    """Return whether ``joins`` are but flour or starch, with what seasons it: a cook stirs it into the fat as it is."""
     facts = [join.want.facts for join in joins]
     binds = [one for one in facts if one.kind in word_list("makes lumps")]
     return bool(binds) and all(one in binds or _seasons(one) for one in facts)
 
 
 def needs_pan(facts: Food) -> bool:
-    """Whether a food is not done when eggs set around it."""
+    """Return whether a food of these ``facts`` is not done when eggs set around it."""
     raw = facts.is_a(*word_list("is flesh")) and not facts.is_a("ready")
     return raw or phase_of(facts) == FRIED or facts.is_a(*word_list("takes long in the pan"))
 
 
 def makes_a_sauce(joins: Sequence[Join]) -> bool:
-    """Whether of foods flour is stirred into fat, and something is poured on it."""
+    """Return whether in ``joins`` flour is stirred into fat, and something is poured on it."""
     facts = [join.want.facts for join in joins]
     other = any(one.is_a("leaven", *word_list("makes no sauce of flour")) for one in facts)
     told = any(one.is_a("flour") for one in facts) and any(one.is_a("fat") for one in facts)
@@ -215,7 +222,7 @@ def makes_a_sauce(joins: Sequence[Join]) -> bool:
 
 
 def is_bath(facts: Food) -> bool:
-    """Whether other foods cook in a food."""
+    """Return whether other foods cook in a food of these ``facts``."""
     return facts.is_of(*_BATHS) and not facts.is_a(*word_list("is no bath"))
 
 

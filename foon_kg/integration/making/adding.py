@@ -31,7 +31,7 @@ class Adding:
         self.smoothing = Smoothing(self.bench, self.plan, self.carry, self.work, self.ready)
 
     def add_all(self, turn: Turn, vessel: Vessel, comers: Comers) -> None:
-        """Bring what joins a stage into its vessel; the last of it may complete the dish."""
+        """Bring the ``comers`` of a stage, what joins in this ``turn``, into its vessel; the last may end the dish."""
         on_stove = self.placing.is_on_stove(turn.stage, vessel)
         ordered = self.placing.ordered(turn.stage, comers)
         if self.stages.water(turn.stage) and not self._is_watered(vessel):

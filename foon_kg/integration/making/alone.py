@@ -36,7 +36,7 @@ class Alone:
     # --- water ---
 
     def measure(self, ready: Ready) -> None:
-        """Fetch water before anything is hot."""
+        """Fetch water, where that is ``ready`` to join, before anything is hot."""
         if ready.stuff.at is not None and ready.stuff.at.storage:
             cup = self.bench.vessel("measuring cup")
             attested = self.bench.attest([("pour", ())], ready.want.names)
@@ -62,7 +62,10 @@ class Alone:
     # --- beaten ---
 
     def beaten_first(self, join: Join, ready: Ready) -> None:
-        """Open a food over a bowl of its own and beat it, where it is asked or joins so and is not beaten later."""
+        """Open a food that is ``ready`` over a bowl of its own and beat it.
+
+        That is so where it is asked or joins so and is not beaten later.
+        """
         want, does = join.want, join.spot.stage.does
         beaten_later = does.isdisjoint(HEATS) and not does.isdisjoint(MIXES)
         if not ready.whole_shell or (beaten_later and not want.make):
@@ -89,7 +92,7 @@ class Alone:
         return self.bench.attest(ways, want.names)
 
     def beat_to_foam(self, ready: Ready) -> None:
-        """Pour a liquid into a bowl of its own and whip it: that is done last, as the foam falls."""
+        """Pour a liquid that is ``ready`` into a bowl of its own and whip it: that is done last, as the foam falls."""
         want, bowl = ready.want, self.bench.vessel("bowl")
         ways = [way for way in self.bench.operators.making(want.make) if "whip" in self.known.motion(way[0]).does]
         attested = self.bench.near_or_far(ways, want.names)
@@ -107,7 +110,7 @@ class Alone:
     # --- cooked ---
 
     def cook_first(self, join: Join, method: Sequence[str]) -> None:
-        """Cook a prepared food by itself with the first of these motions that suits it, and open it where it is due."""
+        """Cook the food of ``join`` by itself, with the first of ``method`` that suits it, and open it if it is due."""
         ready = self.ready[join.want.number]
         if self.precooking.is_fried_open(join.want):
             self._pan_cook(ready, method)

@@ -34,7 +34,7 @@ class Doing:
         self.work = placing.work
 
     def do(self, turn: Turn, vessel: Vessel) -> None:
-        """Do what a stage does, if it changes anything."""
+        """Do what the stage of ``turn`` does to what is in ``vessel``, if it changes anything."""
         stage = turn.stage
         if self._is_idle(turn, vessel):
             return

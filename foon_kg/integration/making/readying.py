@@ -28,7 +28,7 @@ class Readying:
         self.ready = alone.ready
 
     def prepare(self, join: Join) -> None:
-        """Make a food ready as far as that is done before anything is hot."""
+        """Make the food of ``join`` ready as far as that is done before anything is hot."""
         blended = _is_blended(join)
         form = self._form(join)
         want = self._as_eaten(join, blended=blended)

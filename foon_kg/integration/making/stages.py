@@ -31,11 +31,14 @@ class Stages:
         self.known = known
 
     def waits_for_sauce(self, stage: Stage) -> bool:
-        """Whether what is boiled and drained joins a sauce that cooks before: it is boiled when that is ready."""
+        """Return whether what ``stage`` boils and drains joins a sauce that cooks before.
+
+        It is boiled when that is ready.
+        """
         return isinstance(stage, Phase) and stage.bath and not self.plan.one_pot
 
     def is_boiled_late(self, stage: Stage) -> bool:
-        """Whether what is boiled by itself is boiled only when what it joins there is ready: a sauce, or a soup."""
+        """Return whether what ``stage`` boils by itself is boiled only when what it joins is ready: a sauce, a soup."""
         after = not self.plan.stacked and self.course.follows_heat(stage)
         return self.waits_for_sauce(stage) or (after and (self.plan.one_pot or stage.does.isdisjoint(HEATS)))
 
@@ -78,7 +81,7 @@ class Stages:
         return in_one and not (self.plan.one_pot or self.plan.spooned)
 
     def lies_baked(self, vessel: Vessel | None) -> bool:
-        """Whether a dish comes out of the oven in one piece, however wet what lies on its dough, or around a roast."""
+        """Return whether the dish in ``vessel`` comes out of the oven in one piece, however wet what lies on it is."""
         whole = self.plan.laid or self.on_plate
         return whole and vessel is not None and any("baked" in stuff.states for stuff in vessel.contents)
 
@@ -96,7 +99,10 @@ class Stages:
         return mine is not None and bool(following.does & mine) and not stage.does & {"dry", "shape", "knead", "blend"}
 
     def heats_on(self, stage: Stage, later: Sequence[Stage], vessel: Vessel) -> bool:
-        """Whether a vessel stays over the heat: it is heated next on the same appliance, and stands on that."""
+        """Return whether ``vessel`` stays over the heat after ``stage``: it is heated next on what it stands on.
+
+        ``later`` are the stages that come then.
+        """
         if vessel.device is None or vessel.relation == "in":
             return False
         if stage.vessel not in {vessel.label, ""} or "cut" in stage.does:
@@ -109,14 +115,17 @@ class Stages:
         return False
 
     def lays(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
-        """Whether layers are laid: by a technique, to be chilled, or as the recorded dish lays such foods."""
+        """Return whether ``stage`` lays ``joins`` in layers: by a technique, to be chilled, or as the recorded dish.
+
+        ``later`` are the stages that come then.
+        """
         if self.plan.by_table and not stage.motion:
             return any("wait" in one.does for one in later)
         laid = bool(joins) and all(join.slot is not None and join.slot in stage.adds for join in joins)
         return laid and "wait" in stage.does and not (self.plan.in_pieces or self.plan.drunk)
 
     def would_be_dry(self, stage: Stage, stuffs: Sequence[Join | Vessel]) -> bool:
-        """Whether solid food comes into a pan with nothing to cook in."""
+        """Return whether ``stuffs`` that are solid come at ``stage`` into a pan with nothing to cook in."""
         if "dry" in stage.does:
             return False
         wants = [one.want for one in stuffs if isinstance(one, Join)]
@@ -125,7 +134,7 @@ class Stages:
         return solid and not wet and not any(isinstance(one, Vessel) for one in stuffs)
 
     def merges(self, turn: Turn) -> bool:
-        """Whether nothing mixes the whole any more, so that what joins last completes it."""
+        """Return whether nothing mixes the whole any more after ``turn``, so that what joins last completes it."""
         if not turn.main or self.is_worked_later([turn.stage, *turn.later]):
             return False
         return not any(self.course.stage_alive(one) for one in turn.later)
@@ -139,7 +148,10 @@ class Stages:
         return bool(stage.motion) and not stage.does.isdisjoint(MIXES | HEATS)
 
     def water(self, stage: Stage) -> bool:
-        """Whether free water joins here: the frame has it, nobody asked for it, and no other liquid takes its place."""
+        """Return whether free water joins at ``stage``: the frame has it, nobody asked for it.
+
+        No other liquid takes its place.
+        """
         free = self._free_water(stage)
         if not free or stage.does.isdisjoint(WORKS):
             return False
@@ -175,7 +187,7 @@ class Stages:
         return any(join.want.facts.is_a(*kinds) for join in self.plan.joins)
 
     def taken_up(self, stage: Stage, vessel: Vessel) -> Stuff | None:
-        """Return the only food that is cooked in a vessel: fat and spices that cling to it are one with it.
+        """Return the only food that ``stage`` cooks in a vessel: fat and spices that cling to it are one with it.
 
         So is the water in which it swells, where that is not poured off.
         """
@@ -191,13 +203,19 @@ class Stages:
         return self.known.foods.food(stuff.label).is_a(*word_list(words_of))
 
     def is_drained_next(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
-        """Whether the water in which foods are cooked is poured away then: until then it is no part of anything."""
+        """Return whether the water in which foods are cooked in ``vessel`` is poured away by the ``later`` stages.
+
+        Until then it is no part of anything.
+        """
         row = self.known.utensil(later[0].vessel) if later and later[0].vessel else None
         water = any(self.known.foods.food(stuff.label).is_a("water") for stuff in vessel.contents if not stuff.mixed)
         return water and row is not None and "strain" in row.can
 
     def is_idle(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
-        """Whether a stage would change nothing: it is done again anyway, or there is only one food to be mixed."""
+        """Return whether a stage would change nothing in ``vessel``: one food is to be mixed, or it is done again.
+
+        That is by one of the ``later`` stages.
+        """
         if self._is_done_again(stage, vessel, later):
             return True
         heats = not stage.does.isdisjoint(HEATS)
@@ -289,7 +307,10 @@ class Stages:
         return not self.course.stage_alive(stage) and not done.isdisjoint(stuff.states)
 
     def stays_in(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
-        """Whether a vessel stays in its appliance: the next heating is there, and nothing joins before."""
+        """Return whether a vessel stays in its appliance: the next heating of ``later`` is there.
+
+        Nothing joins before.
+        """
         following = next((one for one in later if not one.does.isdisjoint(HEATS)), None)
         return (
             following is not None
@@ -304,7 +325,10 @@ class Stages:
         return not any(is_portion(join.want, self.known) for join in self.plan.joins)
 
     def stays_there(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
-        """Whether a dish is only carried on though it is eaten out of what it was baked in."""
+        """Return whether ``stage`` only carries on the dish in ``vessel``, though it is eaten out of that.
+
+        It was baked there. ``later`` are the stages that come then.
+        """
         row = self.known.utensil(vessel.label)
         ends = all(only_carries(one) and not self.course.stage_alive(one) for one in (stage, *later))
         dish = row is not None and row.group in word_list("is served in what it is baked in")

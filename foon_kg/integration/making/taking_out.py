@@ -35,7 +35,7 @@ class TakingOut:
         return bool(self._to_take_out(vessel))
 
     def take_out(self, vessel: Vessel) -> Vessel:
-        """Take out of what was cooked in a liquid what only gave it its taste, where the FOON shows how.
+        """Take out of what was cooked in a liquid in ``vessel`` what only gave its taste, where the FOON shows how.
 
         Return what the rest is in then: what is drunk is poured through a strainer.
         """
@@ -52,7 +52,10 @@ class TakingOut:
         return vessel
 
     def strained(self, vessel: Vessel) -> Vessel:
-        """Pour what was blended through a strainer, in which stays what does not run; return what the rest is in."""
+        """Pour what was blended in ``vessel`` through a strainer, in which stays what does not run.
+
+        Return what the rest is in.
+        """
         wants = self.inside(vessel, lambda want: want.facts.is_a(*word_list("stays in a strainer")))
         return self._strain(vessel, wants) if wants and len(vessel.contents) == 1 else vessel
 

@@ -36,7 +36,7 @@ class Preparer(Treater):
         self._parts: dict[str, Stuff] = {}
 
     def prepare(self, want: Want, form: Sequence[str] = (), *, divided: bool = True, alone: bool = True) -> Ready:
-        """Return the food as it can join: opened, peeled and cut as it is asked, as ``form`` says and as it needs.
+        """Return the food ``want`` as it can join: opened, peeled and cut as it is asked, as ``form`` says or it needs.
 
         ``form`` are states in which such a food joins elsewhere. ``divided``: it has to be in pieces (not where it is
         blended); ``alone``: it is cooked by itself before it joins. A food in a shell that is to be opened over a
@@ -129,7 +129,7 @@ class Preparer(Treater):
         return owed(want, self.known) | (earns & want.facts.owes.keys() or earns)  # hulled: cored, or out of a husk
 
     def is_mashed_raw(self, want: Want) -> bool:
-        """Whether a food is asked in a form for which it is still too hard (mashed, shredded): it is cooked before."""
+        """Return whether ``want`` is asked in a form for which it is still too hard (mashed): it is cooked before."""
         if want.make in word_list("only what is cooked is so") and want.facts.is_a(*word_list("is flesh")):
             return {"cook"} <= want.facts.owes.keys()
         if want.make in word_list("only what is soft is so") and want.facts.is_a(*word_list("is hard")):
@@ -141,7 +141,7 @@ class Preparer(Treater):
         return mashed and bool({"cook", "boil"} & want.facts.owes.keys())
 
     def cut_once_done(self, ready: Ready) -> None:
-        """Have a food cut when it is cooked, unless it is in pieces or is cut anyway."""
+        """Have a food that is ``ready`` cut when it is cooked, unless it is in pieces or is cut anyway."""
         states = (*ready.stuff.states, ready.want.make) if ready.want.make else ready.stuff.states
         whole = not any(self.known.state(state).fineness > 0 for state in states)
         whole = whole and not ready.want.facts.is_a(*word_list("is in bits"))
@@ -149,7 +149,7 @@ class Preparer(Treater):
             ready.cut_later = self.usual_cut(ready.want)
 
     def cut_to_bites(self, ready: Ready) -> None:
-        """Cut a food again of which half of one is too large to be eaten with a spoon or fork."""
+        """Cut a food that is ``ready`` again if half of one is too large to be eaten with a spoon or fork."""
         rows = [self.known.state(state) for state in ready.stuff.states]
         halves = max((row.fineness for row in rows), default=0) == _HALVED
         halves = halves and word_list("is a small one").isdisjoint(words(ready.want.label))
@@ -157,13 +157,16 @@ class Preparer(Treater):
             self._cut(ready, self.usual_cut(ready.want))
 
     def cut_now(self, ready: Ready) -> None:
-        """Cut or mash what had to be cooked before."""
+        """Cut or mash what is ``ready`` and had to be cooked before."""
         state, ready.cut_later = ready.cut_later, ""
         if state:
             self._cut(ready, state)
 
     def shelled(self, ready: Ready, form: Sequence[str] = ()) -> None:
-        """Take the shell off a food that was cooked in it, and cut it as it is asked."""
+        """Take the shell off a food that is ``ready`` and was cooked in it.
+
+        Cut it as it is asked, or as ``form`` says.
+        """
         ways = [way for way in self.operators.ways.get("shell", ()) if "peel" in self.known.motion(way[0]).does]
         ways = self.with_a_fit_tool("shell", ways, ready.want)
         attested = self.bench.require(ways, ready.want.names, act=True)
