@@ -12,9 +12,10 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.named import Named
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
+from foon_kg.integration.composing.attaching import with_sides
 from foon_kg.integration.composing.bodies import made_apart
 from foon_kg.integration.composing.coated import coated_alone
-from foon_kg.integration.composing.components import Side, with_sides
+from foon_kg.integration.composing.components import Side
 from foon_kg.integration.composing.crowned import strewn_under, wedges_last
 from foon_kg.integration.composing.folded import folded, is_folded
 from foon_kg.integration.composing.formed import formed, formed_within, is_formed

@@ -7,26 +7,14 @@ beside what.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from foon_kg.food import Tables, singular, words
-from foon_kg.food.lists import word_list
+from foon_kg.food import singular, words
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import NOWHERE, Around, Component, Foods, Technique, components, works
+from foon_kg.food.techniques import Around, Component, Foods, Technique, components
 from foon_kg.integration.composing.dealing import means, takes
-from foon_kg.integration.composing.techniques import carried_out, stage_of
-from foon_kg.integration.joining.course import COATS, HEATS, MIXES
-from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
-from foon_kg.integration.joining.spots import NATURAL, Join, Spot, is_ladled, only_carries, spots_of
 from foon_kg.integration.preparing.preparation import SECOND, Want
-from foon_kg.integration.teaching.frames import Line, Stage
-
-_NOWHERE = Spot(
-    (), Stage((), "", frozenset(), (), "", "", "", "", "", (), -1), ("top", "never", False), side=False, after=()
-)
-
 
 _HOLDS = ("baked", "dressed", "formed", "laid", "stacked", "tin")
 """What of a dish a row may ask."""
@@ -95,7 +83,7 @@ class _Finder:
     def _suits(self, component: Component, found: Sequence[Want], rest: Sequence[Want], around: Around) -> bool:
         """Whether a component has what it needs in the foods ``found`` for it, and leaves enough for the ``rest``."""
         technique = component.technique
-        if any(_are(technique.without, want, around) for want in self.rest):
+        if any(are(technique.without, want, around) for want in self.rest):
             return False
         if not _is_of_its_foods(component, found, around):
             return False
@@ -142,7 +130,7 @@ class _Finder:
         if mixed and component.technique.lines and _have(component.technique.needs, self._at(mixed), around):
             return self._taken(mixed, component, around)
         foods = component.body + component.neighbours
-        return {place for place in found if _are(foods, self.listed[place], around)}
+        return {place for place in found if are(foods, self.listed[place], around)}
 
     def _taken(self, places: set[int], component: Component, around: Around) -> set[int]:
         """Return those of places whose foods a component takes."""
@@ -150,7 +138,7 @@ class _Finder:
 
     def _begun(self, places: set[int], component: Component, around: Around) -> set[int]:
         """Return those of places whose foods are for the same as a food with which a component begins."""
-        begun = {want.part for want in self._at(places) if _are(component.body, want, around)}
+        begun = {want.part for want in self._at(places) if are(component.body, want, around)}
         return {place for place in places if self.listed[place].part in begun}
 
     def _at(self, places: Iterable[int]) -> list[Want]:
@@ -159,7 +147,7 @@ class _Finder:
     def _named(self, component: Component) -> set[int]:
         around = self._around()
         told = {place: want for place, want in self.listed.items() if want.part and want.part in component.parts}
-        return {place for place, want in told.items() if not _are(component.leaves, want, around)}
+        return {place for place, want in told.items() if not are(component.leaves, want, around)}
 
     def _guessed(self, component: Component, around: Around) -> set[int]:
         """Return the place of the food with which a component begins of which the recipe does not say so.
@@ -168,7 +156,7 @@ class _Finder:
         """
         if self._named(component) or not component.technique.is_called(self.dish_type, self.told):
             return set()
-        bodies = [place for place, want in self.listed.items() if _are(component.body, want, around)]
+        bodies = [place for place, want in self.listed.items() if are(component.body, want, around)]
         if component.behind:
             return self.behind & set(bodies)
         return {place for place in bodies[-1:] if component.guessed and not self.listed[place].part}
@@ -192,14 +180,14 @@ class _Finder:
 
         What is listed twice in a row is of two kinds and no second part.
         """
-        last = max((place for place, want in self.listed.items() if _are(component.after, want, around)), default=-1)
+        last = max((place for place, want in self.listed.items() if are(component.after, want, around)), default=-1)
         seen: list[str] = []
         found = []
         for place, want in sorted(self.listed.items()):
             label = singular(want.label)
             again = label in seen[:-1] and label != seen[-1] and not want.part
             behind = component.opens or 0 <= last < place
-            if again and behind and _are(component.again, want, around):
+            if again and behind and are(component.again, want, around):
                 found.append(place)
             seen.append(label)
         return found
@@ -217,7 +205,7 @@ class _Finder:
                 place += 1
         place = min(found) - 1
         while self._belongs(place, component, around) and (
-            _are(component.body, self.listed[place], around)
+            are(component.body, self.listed[place], around)
             or not _have(needs, [self.listed[one] for one in found], around)
         ):
             found.add(place)
@@ -231,171 +219,22 @@ class _Finder:
 
     def _belongs(self, place: int, component: Component, around: Around) -> bool:
         want = self.listed.get(place)
-        return want is not None and not want.part and _are(component.neighbours, want, around)
+        return want is not None and not want.part and are(component.neighbours, want, around)
 
 
-def _are(foods: Sequence[Foods], want: Want, around: Around) -> bool:
+def are(foods: Sequence[Foods], want: Want, around: Around) -> bool:
+    """Return whether ``want``, a food of a recipe, is one of ``foods``; ``around`` are the others with the title."""
     return any(means(one, want, around) for one in foods)
 
 
 def _is_of_its_foods(component: Component, found: Sequence[Want], around: Around) -> bool:
     """Whether what was found for a component is not only what may stand beside its body, and nothing that it lacks."""
-    if any(_are(component.lacks, want, around) for want in found):
+    if any(are(component.lacks, want, around) for want in found):
         return False
     begins = not component.body or bool(component.again)
-    return begins or any(_are(component.body, want, around) for want in found)
+    return begins or any(are(component.body, want, around) for want in found)
 
 
 def _have(needs: Sequence[Sequence[Foods]], wants: Sequence[Want], around: Around) -> bool:
     """Whether of each list one food is there."""
-    return all(any(_are(need, want, around) for want in wants) for need in needs)
-
-
-def with_sides(
-    line: Line, joins: Sequence[Join], sides: Sequence[Side], told: Sequence[str], known: Tables
-) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that each component, one of ``sides``, joins, and the joins with those of its foods.
-
-    ``told`` are the words of the dish's title, ``known`` the tables.
-    """
-    for side in sides:
-        line, joins = _with_side(line, joins, side, told, known)
-    return line, tuple(joins)
-
-
-def _with_side(
-    line: Line, joins: Sequence[Join], side: Side, told: Sequence[str], known: Tables
-) -> tuple[Line, Sequence[Join]]:
-    component = side.component
-    own = [Join(want, _NOWHERE, NATURAL - 0.01) for want in side.wants]
-    target = stage_of(component.by)
-    found: Sequence[Join] = own
-    if component.technique.lines:
-        made, found = carried_out(component.technique, own, told, known)
-        target = replace(target, adds=(made,))
-    whole, at, became = _folded(line, target, side, joins) or _attached(line, target, component.at)
-    if at is not target:
-        became[id(target)] = at
-    spots = {id(spot.stage): spot for spot in spots_of(whole)}
-    on_top, layer = works()[component.by].on_top, -1 if component.at == "under" else 0
-
-    def moved(join: Join) -> Join:
-        if join.spot is _NOWHERE:
-            return replace(join, spot=spots[id(at)], on_top=on_top, layer=layer)
-        return replace(join, spot=spots.get(id(became.get(id(join.spot.stage), join.spot.stage)), join.spot))
-
-    return whole, [moved(join) for join in (*joins, *found)]
-
-
-def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
-    """Return a line with ``target`` at its place, that stage there, and by identity what became of others."""
-    worked = _worked_at(line, at)
-    if worked:
-        return _attached_to(line, worked, target, at)
-    bakes = [place for place, stage in enumerate(line.stages) if stage.does >= {"dry", "heat"}]
-    return _attached_baked(line, bakes, target, at) if bakes else _attached_last(line.stages, target, at)
-
-
-def _attached_baked(line: Line, bakes: Sequence[int], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
-    """Return a line with ``target`` at its place, where it is baked at the places ``bakes``; as :func:`_attached`."""
-    stages = line.stages
-    mixed = [stage for stage in stages[: bakes[0]] if not stage.does.isdisjoint(MIXES)]
-    if mixed and at == "shaped":
-        return _attached_shaped(line, mixed[-1], target)
-    if at in {"before", "shaped"}:
-        return _attached_before(stages, bakes[-1], target)
-    if at == "under":
-        tin = stages[bakes[0]].vessel
-        return line, next(stage for stage in stages if stage.vessel == tin), {}
-    return _attached_last(stages, target, at)
-
-
-def _worked_at(line: Line, at: str) -> list[Stage]:
-    """Return the stages that do what a component joins ``at``; where it is tossed, only those of the dish itself."""
-    return [stage for stage in (line.stages if at == "tossed" else line.all_stages()) if _is_at(stage, at)]
-
-
-def _is_at(stage: Stage, at: str) -> bool:
-    """Whether a stage shapes, mixes or stews, as a component asks that joins there."""
-    mixes = not stage.does.isdisjoint({"mix", "knead"})
-    shapes = "shape" in stage.does and "heat" not in stage.does
-    over_heat = "heat" in stage.does and "dry" not in stage.does
-    return {"mixed": mixes, "tossed": mixes, "shaped": shapes, "stewed": over_heat}.get(at, False)
-
-
-def _attached_to(line: Line, worked: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
-    """Return a line with ``target`` after the last stage that shapes, or in the first or last one that mixes."""
-    if at in {"mixed", "stewed", "tossed"}:
-        mixing = worked[-1] if at == "tossed" else worked[0]
-        whole, changed = with_line(line, mixing, next(add for add in target.adds if isinstance(add, Line)))
-        return whole, changed[id(mixing)], changed
-    became: dict[int, Stage] = {}
-    return _with_next(line, worked[-1], target, became), target, became
-
-
-def _attached_shaped(line: Line, mixing: Stage, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
-    """Return a line in which what a stage mixes is shaped, and comes to ``target`` then."""
-    became: dict[int, Stage] = {}
-    shape = replace(stage_of("shape"), vessel=mixing.vessel)
-    line = _with_next(line, mixing, shape, became)
-    return _with_next(line, shape, target, became), target, became
-
-
-def _attached_before(stages: Sequence[Stage], place: int, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
-    """Return stages with ``target`` on what is baked at a ``place``, before that, as :func:`_attached` does."""
-    heat = stages[place]
-    laid = replace(heat, motion="", does=frozenset(), appliance="", source="", label="", states=())
-    target = replace(target, vessel=heat.vessel, relation=heat.relation)
-    fresh = (*stages[:place], laid, target, replace(heat, adds=()), *stages[place + 1 :])
-    return Line(fresh), target, {id(heat): laid}
-
-
-def _attached_last(stages: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
-    """Return stages with ``target`` at their end, once the dish is done or cold, as :func:`_attached` does."""
-    rest = stages[-1:] if only_carries(stages[-1]) else ()
-    done = stages[: len(stages) - len(rest)]
-    if not target.vessel and is_ladled(stages[-1]):
-        target = replace(target, vessel=min(word_list("is eaten out of when it is ladled")))
-    cool = () if at != "cooled" or (done and "wait" in done[-1].does) else (stage_of("cool"),)
-    return Line((*done, *cool, *rest, target)), target, {}
-
-
-def _folded(
-    line: Line, target: Stage, side: Side, joins: Sequence[Join]
-) -> tuple[Line, Stage, dict[int, Stage]] | None:
-    """Return a line in which one part of a food comes to the other where that is mixed last before it is heated.
-
-    ``None`` where ``side`` is no such part.
-    """
-    other = _other_part(side, joins)
-    if other is None:
-        return None
-    spot = other.spot
-    cold = list(itertools.takewhile(lambda stage: stage.does.isdisjoint(HEATS), (spot.stage, *spot.after)))
-    mixing = next((one for one in reversed(cold) if not one.does.isdisjoint(MIXES) and not one.does >= COATS), None)
-    became: dict[int, Stage] = {}
-    if mixing is None:
-        (add,) = target.adds
-        whole, became = with_line(line, spot.stage, add if isinstance(add, Line) else Line((target,)))
-        return whole, became[id(spot.stage)], became
-    target = replace(target, vessel=mixing.vessel, relation=mixing.relation, label=mixing.label or target.label)
-    return _with_next(line, mixing, target, became), target, became
-
-
-def _other_part(side: Side, joins: Sequence[Join]) -> Join | None:
-    """Return the first food that comes of the same one as a food of a component, when that is opened.
-
-    Where each part of it is listed by itself that is the one beside which the component stands.
-    """
-    whole = [want.of for want in side.wants if want.of is not None]
-    other = next((join for join in joins if join.want.of in whole), None)
-    if other is not None or side.component.at != "folded":
-        return other
-    return next((join for join in joins if _are(side.component.beside[0], join.want, NOWHERE)), None)
-
-
-def _with_next(line: Line, stage: Stage, target: Stage, became: dict[int, Stage]) -> Line:
-    """Return a line in which ``target`` comes next after a stage, in whichever line that is."""
-    own = line_with(line, stage)
-    place = next(place for place, one in enumerate(own.stages, start=1) if one is stage)
-    return with_replaced(line, own, Line((*own.stages[:place], target, *own.stages[place:])), became)
+    return all(any(are(need, want, around) for want in wants) for need in needs)

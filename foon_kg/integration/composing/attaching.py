@@ -1,0 +1,171 @@
+"""Where a component comes to the rest of its dish: in what is mixed, before it is heated, on what is done or cold."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import replace
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+from foon_kg.food.techniques import NOWHERE, works
+from foon_kg.integration.composing.components import Side, are
+from foon_kg.integration.composing.techniques import carried_out, stage_of
+from foon_kg.integration.joining.course import COATS, HEATS, MIXES
+from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
+from foon_kg.integration.joining.spots import NATURAL, Join, Spot, is_ladled, only_carries, spots_of
+from foon_kg.integration.teaching.frames import Line, Stage
+
+_NOWHERE = Spot(
+    (), Stage((), "", frozenset(), (), "", "", "", "", "", (), -1), ("top", "never", False), side=False, after=()
+)
+
+
+def with_sides(
+    line: Line, joins: Sequence[Join], sides: Sequence[Side], told: Sequence[str], known: Tables
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that each component, one of ``sides``, joins, and the joins with those of its foods.
+
+    ``told`` are the words of the dish's title, ``known`` the tables.
+    """
+    for side in sides:
+        line, joins = _with_side(line, joins, side, told, known)
+    return line, tuple(joins)
+
+
+def _with_side(
+    line: Line, joins: Sequence[Join], side: Side, told: Sequence[str], known: Tables
+) -> tuple[Line, Sequence[Join]]:
+    component = side.component
+    own = [Join(want, _NOWHERE, NATURAL - 0.01) for want in side.wants]
+    target = stage_of(component.by)
+    found: Sequence[Join] = own
+    if component.technique.lines:
+        made, found = carried_out(component.technique, own, told, known)
+        target = replace(target, adds=(made,))
+    whole, at, became = _folded(line, target, side, joins) or _attached(line, target, component.at)
+    if at is not target:
+        became[id(target)] = at
+    spots = {id(spot.stage): spot for spot in spots_of(whole)}
+    on_top, layer = works()[component.by].on_top, -1 if component.at == "under" else 0
+
+    def moved(join: Join) -> Join:
+        if join.spot is _NOWHERE:
+            return replace(join, spot=spots[id(at)], on_top=on_top, layer=layer)
+        return replace(join, spot=spots.get(id(became.get(id(join.spot.stage), join.spot.stage)), join.spot))
+
+    return whole, [moved(join) for join in (*joins, *found)]
+
+
+def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return a line with ``target`` at its place, that stage there, and by identity what became of others."""
+    worked = _worked_at(line, at)
+    if worked:
+        return _attached_to(line, worked, target, at)
+    bakes = [place for place, stage in enumerate(line.stages) if stage.does >= {"dry", "heat"}]
+    return _attached_baked(line, bakes, target, at) if bakes else _attached_last(line.stages, target, at)
+
+
+def _attached_baked(line: Line, bakes: Sequence[int], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return a line with ``target`` at its place, where it is baked at the places ``bakes``; as :func:`_attached`."""
+    stages = line.stages
+    mixed = [stage for stage in stages[: bakes[0]] if not stage.does.isdisjoint(MIXES)]
+    if mixed and at == "shaped":
+        return _attached_shaped(line, mixed[-1], target)
+    if at in {"before", "shaped"}:
+        return _attached_before(stages, bakes[-1], target)
+    if at == "under":
+        tin = stages[bakes[0]].vessel
+        return line, next(stage for stage in stages if stage.vessel == tin), {}
+    return _attached_last(stages, target, at)
+
+
+def _worked_at(line: Line, at: str) -> list[Stage]:
+    """Return the stages that do what a component joins ``at``; where it is tossed, only those of the dish itself."""
+    return [stage for stage in (line.stages if at == "tossed" else line.all_stages()) if _is_at(stage, at)]
+
+
+def _is_at(stage: Stage, at: str) -> bool:
+    """Whether a stage shapes, mixes or stews, as a component asks that joins there."""
+    mixes = not stage.does.isdisjoint({"mix", "knead"})
+    shapes = "shape" in stage.does and "heat" not in stage.does
+    over_heat = "heat" in stage.does and "dry" not in stage.does
+    return {"mixed": mixes, "tossed": mixes, "shaped": shapes, "stewed": over_heat}.get(at, False)
+
+
+def _attached_to(line: Line, worked: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return a line with ``target`` after the last stage that shapes, or in the first or last one that mixes."""
+    if at in {"mixed", "stewed", "tossed"}:
+        mixing = worked[-1] if at == "tossed" else worked[0]
+        whole, changed = with_line(line, mixing, next(add for add in target.adds if isinstance(add, Line)))
+        return whole, changed[id(mixing)], changed
+    became: dict[int, Stage] = {}
+    return _with_next(line, worked[-1], target, became), target, became
+
+
+def _attached_shaped(line: Line, mixing: Stage, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return a line in which what a stage mixes is shaped, and comes to ``target`` then."""
+    became: dict[int, Stage] = {}
+    shape = replace(stage_of("shape"), vessel=mixing.vessel)
+    line = _with_next(line, mixing, shape, became)
+    return _with_next(line, shape, target, became), target, became
+
+
+def _attached_before(stages: Sequence[Stage], place: int, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return stages with ``target`` on what is baked at a ``place``, before that, as :func:`_attached` does."""
+    heat = stages[place]
+    laid = replace(heat, motion="", does=frozenset(), appliance="", source="", label="", states=())
+    target = replace(target, vessel=heat.vessel, relation=heat.relation)
+    fresh = (*stages[:place], laid, target, replace(heat, adds=()), *stages[place + 1 :])
+    return Line(fresh), target, {id(heat): laid}
+
+
+def _attached_last(stages: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return stages with ``target`` at their end, once the dish is done or cold, as :func:`_attached` does."""
+    rest = stages[-1:] if only_carries(stages[-1]) else ()
+    done = stages[: len(stages) - len(rest)]
+    if not target.vessel and is_ladled(stages[-1]):
+        target = replace(target, vessel=min(word_list("is eaten out of when it is ladled")))
+    cool = () if at != "cooled" or (done and "wait" in done[-1].does) else (stage_of("cool"),)
+    return Line((*done, *cool, *rest, target)), target, {}
+
+
+def _folded(
+    line: Line, target: Stage, side: Side, joins: Sequence[Join]
+) -> tuple[Line, Stage, dict[int, Stage]] | None:
+    """Return a line in which one part of a food comes to the other where that is mixed last before it is heated.
+
+    ``None`` where ``side`` is no such part.
+    """
+    other = _other_part(side, joins)
+    if other is None:
+        return None
+    spot = other.spot
+    cold = list(itertools.takewhile(lambda stage: stage.does.isdisjoint(HEATS), (spot.stage, *spot.after)))
+    mixing = next((one for one in reversed(cold) if not one.does.isdisjoint(MIXES) and not one.does >= COATS), None)
+    became: dict[int, Stage] = {}
+    if mixing is None:
+        (add,) = target.adds
+        whole, became = with_line(line, spot.stage, add if isinstance(add, Line) else Line((target,)))
+        return whole, became[id(spot.stage)], became
+    target = replace(target, vessel=mixing.vessel, relation=mixing.relation, label=mixing.label or target.label)
+    return _with_next(line, mixing, target, became), target, became
+
+
+def _other_part(side: Side, joins: Sequence[Join]) -> Join | None:
+    """Return the first food that comes of the same one as a food of a component, when that is opened.
+
+    Where each part of it is listed by itself that is the one beside which the component stands.
+    """
+    whole = [want.of for want in side.wants if want.of is not None]
+    other = next((join for join in joins if join.want.of in whole), None)
+    if other is not None or side.component.at != "folded":
+        return other
+    return next((join for join in joins if are(side.component.beside[0], join.want, NOWHERE)), None)
+
+
+def _with_next(line: Line, stage: Stage, target: Stage, became: dict[int, Stage]) -> Line:
+    """Return a line in which ``target`` comes next after a stage, in whichever line that is."""
+    own = line_with(line, stage)
+    place = next(place for place, one in enumerate(own.stages, start=1) if one is stage)
+    return with_replaced(line, own, Line((*own.stages[:place], target, *own.stages[place:])), became)
