@@ -108,7 +108,7 @@ def heading_part(text: str) -> str:
 
     A sauce may be called by its own name.
 
-    >>> heading_part("For the lemon glaze:"), heading_part("For the tzatziki:")
+    >>> heading_part("For the lemon glaze:"), heading_part("For the hollandaise:")
     ('glaze', 'sauce')
     """
     said = list(reversed(re.findall(r"[^\W\d_]+", text.lower())))

@@ -18,6 +18,9 @@ from foon_kg.world import Part
 from foon_kg.world.becoming import meets
 
 _DONE = frozenset({"boil", "cook"})
+
+_BLENDED = 4
+"""How fine what was blended is at least."""
 """Treatments after which nothing is raw."""
 
 _COMES_LAST = (
@@ -97,8 +100,8 @@ def _is_never_hot(case: Case) -> bool:
 def _unheated(case: Case, goal: ObjectNode) -> Iterator[Finding]:
     """Yield the names of the dish that are those of hot dishes, where nothing in it was heated."""
     for dish in case.tables.dishes_named(goal.label, *case.dish_types, case.title):
-        warm = _is_asked(case, dish) or is_unbaked(case.title) or _was_hot(case) or _sets_cold(case, dish)
-        if dish.heated and not warm:
+        cold = is_unbaked(case.title) or _sets_cold(case, dish) or _is_blended_raw(case, dish)
+        if dish.heated and not (cold or _is_asked(case, dish) or _was_hot(case)):
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (goal,))
 
 
@@ -136,6 +139,12 @@ def _sets_cold(case: Case, dish: Dish) -> bool:
     """Whether a dish that may be chilled on crumbs or biscuits has nothing in it that wants an oven."""
     raw = any(part.food.is_a("dough", "egg", "flour") for part in case.parts)
     return dish.name in word_list("sets cold on crumbs") and not raw
+
+
+def _is_blended_raw(case: Case, dish: Dish) -> bool:
+    """Whether a dish may be cold that is blended of what nobody heats for it."""
+    blended = any(part.fine >= _BLENDED and part.food.is_a(*word_list("is blended raw")) for part in case.parts)
+    return dish.name in word_list("is cold where it is blended raw") and blended
 
 
 def _is_flat(case: Case, dish: Dish) -> bool:

@@ -79,6 +79,8 @@ def _only_drunk_blended(case: Case) -> frozenset[str]:
     pieces_told = word_list("is called by pieces in it") | word_list("is drunk hot")
     if word_list("is drunk").isdisjoint(case.dish_types) or not pieces_told.isdisjoint(words(case.title)):
         return frozenset()
+    if any(part.food.is_a(*word_list("is drunk with pieces in it")) for part in case.parts):
+        return frozenset()
     kinds = frozenset[str]()
     if any(part.food.is_a(*word_list("makes a blended drink")) for part in case.parts):
         kinds |= word_list("is drunk blended")

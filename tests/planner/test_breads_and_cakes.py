@@ -283,3 +283,18 @@ def test_ice_cream_is_frozen_before_beaten_whites_are_browned_on_it(steps):
                  "sugar:granulated")  # fmt: skip
     assert motions(told).index("whisk") < motions(told).index("bake")
     assert first(told, "ice cream", "freeze") < motions(told).index("bake")
+
+
+def test_milk_as_thick_as_a_syrup_soaks_a_cake_that_is_baked(steps):
+    told = steps("cake", "", "egg:whole raw", "sugar:ground", "flour:ground", "baking powder:ground", "milk:whole",
+                 "milk:thick liquid", "cream:whipped")  # fmt: skip
+    baked = next(place for place, (_, motion, _) in enumerate(told) if motion == "bake")
+    assert any("milk" in taken for taken, motion, _ in told[baked:] if motion.startswith("pour"))
+    assert "cream" not in inside(told, "bake")
+
+
+def test_slices_on_brown_sugar_lie_under_the_batter_of_white_sugar(steps):
+    told = steps("cake", "", "pineapple:sliced", "cherry:whole fruit", "brown sugar:ground", "butter:juice",
+                 "flour:ground", "baking powder:ground", "sugar:ground", "egg:whole raw", "milk:juice")  # fmt: skip
+    assert {"pineapple", "brown sugar"}.isdisjoint(inside(told, "fold"))
+    assert {"sugar", "flour", "egg"} <= inside(told, "fold")

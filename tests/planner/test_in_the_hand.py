@@ -204,3 +204,11 @@ def test_fish_for_flat_bread_is_turned_in_a_batter_where_one_can_be_whisked(step
 def test_mince_with_nothing_in_it_is_shaped_and_fried_on_both_sides(steps):
     told = steps("burger", "Bacon Cheeseburger", "ground beef:uncooked", "bacon:raw", "cheddar:block", "buns:whole")
     assert motions(told).index("shape") < motions(told).index("flip")
+
+
+def test_rice_with_ketchup_lies_under_an_omelette_that_is_fried_by_itself(steps):
+    told = steps("omelette", "", "egg:whole raw", "rice:baked", "chicken:diced", "ketchup:thick sauce", "butter:creamy",
+                 "milk:juice", "salt:ground")  # fmt: skip
+    assert inside(told, "whisk") == {"egg", "milk"}
+    assert any({"rice", "ketchup"} <= {*node.ingredients} and "egg" not in node.ingredients
+               for _, motion, outputs in told if motion == "cook and stir" for node in outputs)  # fmt: skip

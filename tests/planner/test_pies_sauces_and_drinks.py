@@ -232,3 +232,10 @@ def test_cream_by_itself_is_whipped_and_a_frosting_is_beaten(steps):
     assert "beat" in motions(told)
     told = steps("sauce", "Cream Cheese Frosting", "cream cheese:softened", "butter:softened", "powdered sugar:powder")
     assert inside(told, "blend") == {"cream cheese", "butter", "powdered sugar"}
+
+
+def test_wine_with_fruit_in_pieces_is_stirred_and_not_blended(steps):
+    told = steps("drinks", "", "wine:juice", "brandy:juice", "orange:sliced", "apple:chopped", "sugar:ground",
+                 "soda:juice", "ice:solid")  # fmt: skip
+    assert "blend" not in motions(told)
+    assert {"soda", "ice"}.isdisjoint(inside(told, "stir"))

@@ -194,3 +194,9 @@ def test_a_bowl_of_rice_is_made_though_a_sauce_for_it_is_stirred_apart(steps):
     off = max(place for place, motion in enumerate(motions(told)) if motion == "turn off")
     assert min(n for n, (inputs, _, _) in enumerate(told) if {"avocado", "bowl"} <= inputs) > off
     assert "mayonnaise" in inside(told, "stir")
+
+
+def test_nuts_that_are_creamy_are_their_butter_and_join_the_sauce(steps):
+    told = steps("noodle", "", "noodle:dried", "peanut:creamy", "soy sauce:sauce", "vinegar:juice", "honey:thick sauce",
+                 "cucumber:sliced", "scallion:sliced")  # fmt: skip
+    assert {"peanut", "soy sauce"} <= inside(told, "stir")

@@ -381,3 +381,9 @@ def test_tahini_is_mashed_with_an_eggplant_that_was_roasted(steps):
     )
     assert "baking tray" not in vessels(told, "tahini")
     assert motions(told).index("bake") < motions(told).index("mash")
+
+
+def test_raw_cucumber_with_bread_and_vinegar_is_blended_and_chilled(steps):
+    told = steps("soup", "", "tomato:whole veg", "cucumber:peeled", "pepper:seeded", "garlic:crushed", "bread:crumbs",
+                 "oil:juice", "vinegar:juice", "water:juice")  # fmt: skip
+    assert [motion for motion in motions(told) if motion in {"blend", "chill", "simmer", "boil"}] == ["blend", "chill"]

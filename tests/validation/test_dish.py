@@ -687,9 +687,20 @@ def test_coffee_that_comes_of_plain_water_is_fatal_as_tea_is():
         ("Banana punch", ("banana", "milk"), False),
         ("", ("strawberry", "water"), False),
         ("", ("milk", "orange"), False),
+        ("", ("kale", "water", "wine"), False),
     ],
 )
 def test_k7_fruit_in_milk_is_blended_and_not_drunk_in_pieces(title, foods, pieces):
     tree = recipe("drinks", "; ".join(foods), title) + served("drinks", *foods)
     told = [line for line in found("K7", tree) if "is drunk in pieces" in line]
     assert bool(told) is pieces
+
+
+@pytest.mark.parametrize(("food", "refused"), [("cucumber", False), ("carrot", True)])
+def test_k5_a_soup_that_is_blended_of_raw_cucumber_may_be_cold(food, refused):
+    tree = (
+        f"{food} (chopped; in blender jar) + blender jar ({{{food}}}) → BLEND → "
+        f"soup (blended; {{{food}}}; in blender jar) + blender jar ({{{food}}})"
+    )
+    told = [line for line in found("K5", recipe("soup", food) + tree) if "nothing in it was heated" in line]
+    assert bool(told) is refused

@@ -80,7 +80,7 @@ def test_a_food_is_taken_and_not_its_packet_a_vessel_and_not_all_that_is_in_it(k
 
     while "packet" not in text_of(kitchen, ".cook .big"):
         press(kitchen, RIGHT)
-    assert things() == ["bouillon cube; in packet", "jug with water"]
+    assert things() == ["bouillon cube; in packet", "pot with mushroom, onion, water; on stove"]
 
 
 def test_keys_and_buttons_go_from_step_to_step_and_not_beyond_the_ends(kitchen):
