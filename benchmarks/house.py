@@ -318,7 +318,7 @@ HELD: Mapping[str, int] = {
     "functions more complex than 20": 0,
     "the most complex": 10,
     f"pairs of files that share {RUN} lines": 5,
-    SILENT: 10,
+    SILENT: 0,
 }
 """What may not get worse: the most of each figure. Whoever makes one better lowers it here."""
 

@@ -238,7 +238,7 @@ def _technique_at(place: int) -> Technique:
 
 @cache
 def _by_first_words() -> tuple[Mapping[str, list[int]], Mapping[str, list[int]], list[int]]:
-    """Return the places of techniques by the first words of names, by types that need no name, and without any name."""
+    """Return the places of techniques by the first words of names, by types that need no name, and of the rest."""
     by_word: defaultdict[str, list[int]] = defaultdict(list)
     by_type: defaultdict[str, list[int]] = defaultdict(list)
     nameless = []
@@ -246,9 +246,10 @@ def _by_first_words() -> tuple[Mapping[str, list[int]], Mapping[str, list[int]],
         called = _called(row)
         for word in {name[0] for name in called}:
             by_word[word].append(place)
-        for dish_type in row.get("or_types", ()):
+        unnamed = () if called else row.get("types", ())
+        for dish_type in (*row.get("or_types", ()), *unnamed):
             by_type[dish_type].append(place)
-        if not called:
+        if not called and not unnamed:
             nameless.append(place)
     return dict(by_word), dict(by_type), nameless
 

@@ -227,7 +227,10 @@ def is_bath(facts: Food) -> bool:
 
 
 def unbeaten(foods: Sequence[Join], *, sets: bool) -> list[Join]:
-    """Return what of foods mixed cold is not beaten with the eggs among them, or eggs that come to a liquid."""
+    """Return what of ``foods``, mixed cold, is not beaten with the eggs among them, or eggs that come to a liquid.
+
+    ``sets``: all of it sets and is folded then, so that the eggs come first.
+    """
     eggs = any_is(foods, "egg") and not any_is(foods, *word_list("is held together with eggs"))
     bath = not sets and any(_is_bath_for_eggs(join.want.facts) for join in foods)
 
