@@ -167,3 +167,7 @@ def test_a_paste_that_is_listed_by_itself_is_ground_and_then_fried(steps):
     came = next(place for place, (inputs, _, _) in enumerate(told) if {"blender jar", "pot"} <= inputs)
     assert ground < first(told, "beef chuck", "cook and stir") < came < first(told, "coconut milk", "pour")
     assert lifted(told) == {"cinnamon stick"}
+
+
+def test_ice_is_never_boiled_whatever_state_it_is_asked_in(steps):
+    assert "boil" not in motions(steps("salad", "", "apple:whole", "ice:boiled"))

@@ -46,7 +46,9 @@ class Alone:
     def boil_water_first(self, join: Join) -> None:
         """Boil water that is asked boiling and joins what nobody heats any more."""
         want, ready = join.want, self.ready[join.want.number]
-        if not want.facts.is_a("water") or want.asked not in word_list("is boiled water"):
+        if not want.facts.is_a("water") or want.facts.is_a(*word_list("is frozen water")):
+            return
+        if want.asked not in word_list("is boiled water"):
             return
         if any(map(_heats_water, (join.spot.stage, *join.spot.after))):
             return
