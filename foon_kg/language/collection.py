@@ -25,7 +25,8 @@ from foon_kg.similarity.states import state_in
 READING = 5
 """Counts the ways in which lines were ever understood; a change of the rules below is a new one."""
 
-_REMEMBERED = 200_000
+_REMEMBERED = 50_000
+_PATTERNS = 5_000
 _IN_BRACKETS = re.compile(r"\([^()]*\)")
 _PARTS = word_list("parts of a dish")
 """What cooks call the parts of a dish."""
@@ -37,7 +38,7 @@ class CollectionReader:
     """Understands recipes for a FOON whose foods go by ``labels`` (see :func:`labels_of`), many lines at a time.
 
     ``lines`` reads what the collection does not tell itself; with ``full`` every line. Lines come again and again in a
-    collection; the last 200,000 different ones are remembered.
+    collection; the last 50,000 different ones are remembered.
     """
 
     labels: Mapping[str, str]
@@ -178,7 +179,7 @@ def state_beside(food: str, text: str) -> str | None:
     return states[-1] if states else ""
 
 
-@lru_cache(maxsize=_REMEMBERED)
+@lru_cache(maxsize=_PATTERNS)
 def _as_words(food: str) -> re.Pattern[str]:
     """Return what finds ``food`` in the singular or plural, and no longer word that begins with it (eggplant)."""
     return re.compile(rf"(?<!\w){re.escape(food)}(?:e?s)?(?!\w)")

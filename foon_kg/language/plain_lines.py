@@ -26,7 +26,7 @@ from foon_kg.similarity.state_classes import state_classes
 AGREES = 0.99
 """How often the parser reads a plain line just so; the confidence of a line that was read by rules."""
 
-_REMEMBERED = 50_000
+_REMEMBERED = 20_000
 
 
 def _all(words: str) -> frozenset[str]:

@@ -16,6 +16,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 from importlib.resources import files
+from importlib.util import find_spec
 from multiprocessing import get_context
 from typing import Any, Self
 
@@ -28,7 +29,7 @@ from foon_kg.model.errors import FoonError, UsageError
 
 __all__ = ["LineReader", "RecipeLine", "read_fully", "read_quickly", "read_recipe_lines"]
 
-_REMEMBERED = 100_000
+_REMEMBERED = 20_000
 _MANY = 200  # lines for the parser: a second of work, which starting a process costs as well
 _AT_ONCE = 32
 _NUMBER = re.compile(r"(?a:(?:\d{1,4} )?[1-9]\d{0,3}/[1-9]\d{0,3}|[1-9]\d{0,3})(?= [a-z])")
@@ -73,7 +74,7 @@ class LineReader:
     def _read_fully(self, lines: Sequence[str]) -> Iterable[RecipeLine]:
         if self._jobs == 1 or len(lines) < _MANY:
             return map(read_fully, lines)
-        _parser()  # so that a missing extra is told here, not by a process
+        _require_parser()  # so that a missing extra is told here, not by a process
         if self._pool is None:
             self._pool = ProcessPoolExecutor(self._jobs, mp_context=get_context("spawn"))
         try:
@@ -192,6 +193,12 @@ def _text(part: Any) -> str:  # noqa: ANN401 - the package's own class, which my
     return str(part.text) if part else ""
 
 
+def _require_parser() -> None:
+    """Raise UsageError where the parser is not installed, without the 120 MB that importing it takes."""
+    if find_spec("ingredient_parser") is None or find_spec("nltk") is None:
+        raise _missing_parser()
+
+
 @lru_cache(maxsize=1)
 def _parser() -> Callable[..., Any]:
     try:
@@ -200,8 +207,10 @@ def _parser() -> Callable[..., Any]:
         nltk.data.path.insert(0, str(files("foon_kg.data").joinpath("nltk_data")))
         from ingredient_parser import parse_ingredient  # noqa: PLC0415 - the same
     except ImportError as error:
-        hint = "pip install 'foon-kg[recipes]'"
-        raise UsageError(
-            "such lines need ingredient-parser-nlp, which is not installed", hint=hint, code="recipes"
-        ) from error
+        raise _missing_parser() from error
     return parse_ingredient
+
+
+def _missing_parser() -> UsageError:
+    hint = "pip install 'foon-kg[recipes]'"
+    return UsageError("such lines need ingredient-parser-nlp, which is not installed", hint=hint, code="recipes")
