@@ -15,7 +15,7 @@ from integration.told import Likes, snapshot_of
 from foon_kg.food import singular, tables
 from foon_kg.goals.asked import Asked, weight
 from foon_kg.goals.choice import MOST_FITTED, fits, refusals, shortlisted
-from foon_kg.goals.names import named_alike
+from foon_kg.goals.names import is_baked, named_alike
 from foon_kg.goals.recorded import recorded
 from foon_kg.goals.score import missing_core
 from foon_kg.integration.joining.joiners import Joiners
@@ -273,3 +273,19 @@ def test_a_food_takes_the_best_place_of_all(foods, one, sure):
         fit, slot = best_place(one, join.want, likes.alike)
         assert join.slot is slot
         assert slot is None or join.fit == pytest.approx(fit)
+
+
+@pytest.mark.parametrize(
+    ("title", "baked"),
+    [
+        ("Roasted beet salad", True),
+        ("Grilled corn salad", True),
+        ("Baked bean salad", True),
+        ("Swiss chard salad", False),  # no char in it
+        ("Poppy seed salad", False),
+        ("Popcorn salad", False),
+        ("Smoky bean salad", False),
+    ],
+)
+def test_only_a_form_of_a_verb_says_that_a_dish_comes_out_of_an_oven(title, baked):
+    assert is_baked("salad", title, KNOWN) is baked
