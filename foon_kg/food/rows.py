@@ -76,6 +76,10 @@ class Food:
         return not self.kinds.isdisjoint(kinds)
 
 
+HALVED, SLICED, CHOPPED, MINCED, POWDER = 1, 2, 3, 4, 5
+"""How fine pieces are (``State.fine``): halves; slices, wedges; chunks, dice; minced, grated; powder and mash."""
+
+
 @dataclass(frozen=True)
 class State:
     """What a state says of a food: what was done to it (``earns``), how fine its pieces are (0 whole to 5 powder).

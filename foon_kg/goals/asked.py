@@ -17,24 +17,30 @@ from foon_kg.world.becoming import meets
 
 CARRIES = word_list("a dish is built on")
 SEASONS = word_list("only seasons")
-_BAKED_ON = ("dough", *sorted(word_list("carries what is stacked")))
+_BASES = ("dough", *sorted(word_list("carries what is stacked")))
 _WORKED_IN = word_list("is worked in")
 _FLESH = word_list("is flesh")
 _BLENDED = word_list("is called blended")
 _SMOOTH = word_list("may be blended") | _BLENDED
 
-_MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
-"""What tells ways of making a dish from each other."""
+_WAYS_OF_MAKING = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
+"""Of what motions do (:class:`~foon_kg.food.rows.Motion`) that which tells a baked dish from a fried or a pureed one.
+
+Cutting, mixing and heating are done to nearly every dish, and tell none from another.
+"""
+
+_CARRIES, _PLAIN, _SEASONS = 2.0, 1.0, 0.4
+"""How much a food counts: what a dish is built on or what has to be cooked, any other, and what only seasons it.
+
+Three seasonings that find their place must not make up for a chicken that finds none.
+"""
 
 
 def weight(want: Want, known: Tables) -> float:
-    """Return how much the food ``want`` matters to a dish, by the tables ``known``.
-
-    2 is what a dish is built on or what has to be cooked, 0.4 what only seasons it, 1 the rest.
-    """
+    """Return how much the food ``want`` matters to a dish, by the tables ``known``: 2.0, 1.0 or 0.4."""
     if want.facts.is_a(*CARRIES) or is_due(want, known):
-        return 2.0
-    return 0.4 if want.facts.is_a(*SEASONS) else 1.0
+        return _CARRIES
+    return _SEASONS if want.facts.is_a(*SEASONS) else _PLAIN
 
 
 def is_due(want: Want, known: Tables) -> bool:
@@ -44,10 +50,11 @@ def is_due(want: Want, known: Tables) -> bool:
 
 @dataclass(frozen=True)
 class AskedFood:
-    """A food of a recipe, how much it matters (``weight``), and what else decides where it may join.
+    """A food of a recipe, how much it matters (:func:`weight`), and what else decides which dish it may join.
 
-    ``carries``: a dish is built on it. ``due``: it has to be cooked. ``base``: others are laid on it. ``done``: it is
-    flesh that needs no cooking. ``runs``: it runs off with the water. ``in_pieces``: it is asked cut, and is no powder.
+    ``carries``: a dish is built on it. ``due``: it has to be cooked. ``base``: others are laid on it. ``ready_flesh``:
+    it is flesh that needs no cooking (ham). ``runs``: it runs off with the water in which others are boiled.
+    ``worked_in``: it may be kneaded or shaped with the rest. ``in_pieces``: it is asked cut, and is no spice or stock.
     """
 
     want: Want
@@ -56,7 +63,7 @@ class AskedFood:
     due: bool
     base: bool
     flesh: bool
-    done: bool
+    ready_flesh: bool
     runs: bool
     worked_in: bool
     in_pieces: bool
@@ -66,18 +73,17 @@ class AskedFood:
         """Return what the tables ``known`` say of ``want``, one food that is asked."""
         is_a = want.facts.is_a
         flesh = is_a(*_FLESH)
-        fine = (known.state(want.asked).fine or 0) if want.asked else 0
         return cls(
             want,
             weight(want, known),
             carries=is_a(*CARRIES),
             due=is_due(want, known),
-            base=is_a(*_BAKED_ON),
+            base=is_a(*_BASES),
             flesh=flesh,
-            done=flesh and is_a("ready"),
+            ready_flesh=flesh and is_a("ready"),
             runs=is_a("liquid", "creamy", "egg") and not is_a("water", "fat"),
             worked_in=is_a(*_WORKED_IN),
-            in_pieces=fine > 0 and not is_a("spice", "stock"),
+            in_pieces=known.state(want.asked).fineness > 0 and not is_a("spice", "stock"),
         )
 
 
@@ -87,9 +93,9 @@ class Asked:
     def __init__(self, wants: Sequence[Want], dish_type: str, title: str, known: Tables) -> None:
         self.wants = tuple(wants)
         self.dish_type, self.title, self.known = dish_type, title, known
-        self.told = words(title)
+        self.title_words = words(title)
         self.type_words = words(dish_type)
-        self.unbaked = is_unbaked(title)
+        self.unbaked = is_unbaked(title)  # "no-bake": it sets in the cold instead
         self.dishes: tuple[Dish, ...] = known.dishes_named(dish_type, title)
         self.of_type: tuple[Dish, ...] = known.dishes_named(dish_type)
         self.stacked = any(dish.stacked for dish in self.dishes)
@@ -97,19 +103,20 @@ class Asked:
         self.laid = any(dish.laid for dish in self.dishes)
         self.dressed = any(dish.dressed for dish in self.dishes)
         self.tin = any(dish.tin for dish in self.dishes)
-        self.smooth = not _SMOOTH.isdisjoint((*self.type_words, *self.told))
+        self.smooth = not _SMOOTH.isdisjoint((*self.type_words, *self.title_words))
         self.of_batter = self.tin and is_of_batter(self.wants)
         self.of_dough = self.tin and is_of_dough(self.wants)
+        # each of the frames that are looked at asks for the same few needs and kinds again
         self._met: dict[str, bool] = {}
         self._is_there: dict[str, bool] = {}
 
     @cached_property
-    def flat(self) -> bool:
-        """Whether it is called something that is not what its type is, and that is not baked."""
+    def named_unbaked(self) -> bool:
+        """Whether a word of its name makes it another dish than its type, and one that is not baked: a pancake."""
         return any(dish.is_no and not dish.baked and not dish.is_type for dish in self.dishes)
 
     @cached_property
-    def cold(self) -> bool:
+    def not_called_hot(self) -> bool:
         """Whether neither its type nor a grill says that it is hot."""
         return not self.grilled and not any(dish.heated for dish in self.of_type)
 
@@ -121,7 +128,7 @@ class Asked:
     @cached_property
     def by_bites(self) -> bool:
         """Whether it is eaten with a spoon or fork alone."""
-        return is_eaten_by_bites((*self.type_words, *self.told), self.dishes)
+        return is_eaten_by_bites((*self.type_words, *self.title_words), self.dishes)
 
     @cached_property
     def weight(self) -> float:
@@ -136,18 +143,18 @@ class Asked:
     @cached_property
     def is_eaten_cold(self) -> bool:
         """Whether a dressing comes over it, and the title does not say that it is warm."""
-        return self.dressed and word_list("is eaten warm").isdisjoint(self.told)
+        return self.dressed and word_list("is eaten warm").isdisjoint(self.title_words)
 
     @cached_property
     def in_a_pan(self) -> bool:
         """Whether the title says that the dish is cooked in a pan, and the type does not say that it is baked."""
-        named = not word_list("is cooked in a pan").isdisjoint(self.told)
+        named = not word_list("is cooked in a pan").isdisjoint(self.title_words)
         return named and not is_baked(self.dish_type, "", self.known)
 
     @cached_property
     def is_cut_when_baked(self) -> bool:
         """Whether the title says that the dish is cut once it is baked."""
-        return not word_list("is cut when it is baked").isdisjoint(self.told)
+        return not word_list("is cut when it is baked").isdisjoint(self.title_words)
 
     @cached_property
     def kinds(self) -> frozenset[str]:
@@ -156,26 +163,26 @@ class Asked:
 
     @cached_property
     def ways(self) -> tuple[frozenset[str], ...]:
-        """What is done to a dish (one of each suffices) that is made as a word of the title says: pureed, fried."""
+        """For each word of the title that says how a dish is made (pureed, fried) what is done so: one suffices."""
         found = []
-        for word in self.told:
+        for word in self.title_words:
             if word in _BLENDED:
                 found.append(frozenset({"blend"}))
             if word in self.known.states:
                 rows = (row for row in made_of_verb(word, self.known) if word in row.gives)
-                found.append(frozenset().union(*(row.does for row in rows)) & _MEANS)
+                found.append(frozenset().union(*(row.does for row in rows)) & _WAYS_OF_MAKING)
         return tuple(way for way in found if way)
 
     @cached_property
-    def said(self) -> frozenset[str]:
+    def telling_words(self) -> frozenset[str]:
         """The words of the title that say how the dish is made (fried) or of which asked food (tomato)."""
         foods = {word for want in self.wants for word in words(want.label)}
-        return frozenset(word for word in self.told if word in foods or word in self.known.states)
+        return frozenset(word for word in self.title_words if word in foods or word in self.known.states)
 
     @cached_property
-    def explained(self) -> frozenset[str]:
+    def explained_words(self) -> frozenset[str]:
         """The words that title, type and foods explain where a goal is called by them."""
-        found = {*self.told, *self.type_words}
+        found = {*self.title_words, *self.type_words}
         for want in self.wants:
             found |= {*want.facts.name.split(), *want.facts.taken_for.split(), want.facts.kind, *want.facts.kinds}
         return frozenset(found)
@@ -200,7 +207,7 @@ class Asked:
         )
 
     def has(self, need: str) -> bool:
-        """Whether one of its foods is what a dish needs."""
+        """Return whether one of its foods is what a dish needs: ``need`` is one of the names in a dish's ``needs``."""
         found = self._met.get(need)
         if found is None:
             found = self._met[need] = any(meets(need, want.facts, self.known) for want in self.wants)

@@ -15,7 +15,7 @@ from foon_kg.goals.recorded import Recorded, recorded
 from foon_kg.goals.score import score
 from foon_kg.goals.vetoes import vetoes
 from foon_kg.integration.joining.layouts import Layout
-from foon_kg.integration.joining.outlines import Outlines, Sought
+from foon_kg.integration.joining.outlines import Mask, Outlines, Shares, Sought
 from foon_kg.integration.joining.places import Matcher
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.preparing.preparation import Want
@@ -23,8 +23,19 @@ from foon_kg.integration.teaching.frames import Frame
 from foon_kg.integration.teaching.operators import Likes
 from foon_kg.world.becoming import meets
 
-_MOST = 0.6
+_MOST_OF_ITS_FOODS = 0.6
 """Which share of the recorded foods a dish must have to be called like it."""
+
+_MOST_SHOWN = 3
+"""How many foods are named that would do; the tables have more, from the most usual to the least."""
+
+MOST_FITTED = 16
+"""How many frames are looked at closely: in each of them every food is given a place."""
+
+_TYPE_COUNTS, _NAME_COUNTS = 0.5, 0.5
+"""What it counts for the shortlist that a dish is of the asked type, and that it is called so.
+
+Which share it has of the foods counts from 0 to 1."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +59,7 @@ class Fit:
 
     @property
     def order(self) -> tuple[object, ...]:
-        """The best first, the same in every run."""
+        """What frames are sorted by: no vetoes first, then the best score; ties by names, the same in every run."""
         return (
             len(self.vetoes),
             -round(self.score, 6),
@@ -56,13 +67,6 @@ class Fit:
             self.frame.goal.sort_key,
             self.frame.dish_type,
         )
-
-
-_MOST_SHOWN = 3
-"""How many foods are named that would do; the tables have more, from the most usual to the least."""
-
-MOST_FITTED = 16
-"""How many frames are looked at closely."""
 
 
 def shortlisted(
@@ -81,15 +85,21 @@ def shortlisted(
         label, facts = food.want.label, food.want.facts
         names = {singular(label), facts.taken_for, *(name for name, _ in likes(label))}
         sought.append(Sought(food.weight, names, facts.kind))
+    # A cake has to come out of some oven, and a no-bake one out of none; for any other dish its type decides.
     return outlines.best(
         sought,
         asked.dish_type,
-        lambda there, own, named, headed: there + 0.5 * own + 0.5 * np.where(headed, BY_TITLE, BY_TYPE * named),
+        _worth_a_look,
         title=asked.title,
         ends={("bake", "")} if baked else {("", "")} if asked.unbaked else None,
         allowed=allowed,
         most=MOST_FITTED,
     )
+
+
+def _worth_a_look(there: Shares, own: Mask, named: Mask, headed: Mask) -> Shares:
+    """Return how much each of many frames is worth a closer look; the arguments are those of :meth:`Outlines.best`."""
+    return there + _TYPE_COUNTS * own + _NAME_COUNTS * np.where(headed, BY_TITLE, BY_TYPE * named)
 
 
 def fits(layouts: Iterable[Layout], asked: Asked, matcher: Matcher) -> list[Fit]:
@@ -139,7 +149,7 @@ def _shown(needs: Sequence[str]) -> str:
     return " or ".join(names if len(names) <= _MOST_SHOWN else [*names[:_MOST_SHOWN], "the like"])
 
 
-def is_truly(fit: Fit, share: float = _MOST) -> bool:
+def is_truly(fit: Fit, share: float = _MOST_OF_ITS_FOODS) -> bool:
     """Return whether a dish may be called as the recorded one that it ``fit`` is.
 
     It has most of that dish's foods but seasonings, at least a ``share`` (0 to 1) of them.
@@ -147,6 +157,7 @@ def is_truly(fit: Fit, share: float = _MOST) -> bool:
     taken = {id(join.slot) for join in fit.joins if join.slot is not None}
     foods = zip(fit.frame.line.all_slots(), fit.dish.foods, strict=True)
     slots = [id(slot) for slot, food in foods if not food.is_a(*SEASONS)]
+    # a goal that is only called by its type (soup) says nothing that could be untrue
     plain = fit.dish.type_words.issuperset(fit.dish.words) or not slots
     return plain or sum(slot in taken for slot in slots) >= share * len(slots)
 

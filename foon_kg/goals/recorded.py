@@ -9,15 +9,16 @@ from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.goals.asked import CARRIES, SEASONS
 from foon_kg.integration.joining.batters import is_thin
+from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.layouts import Layout
 from foon_kg.integration.joining.spots import Spot
 from foon_kg.integration.teaching.frames import Frame, Line, Stage
 
 _MOST_KEPT = 2048
-"""For how many dishes this is kept."""
+"""For how many dishes this is kept: all of an annotated FOON (111 videos have 106 goals), a bound for a drafted one."""
 
-_HOT = frozenset({"heat", "warm"})
-_MOST = 0.6
+_MOSTLY = 0.6
+"""A dish of whose foods this share is what dressings are made of is a dressing."""
 
 
 @lru_cache(maxsize=_MOST_KEPT)
@@ -76,23 +77,26 @@ class Recorded:
         return tuple(id(slot) for slot, food in slots if not food.is_a(*CARRIES) and not food.is_a(*SEASONS))
 
     @cached_property
-    def done(self) -> frozenset[str]:
+    def work_done(self) -> frozenset[str]:
         """What is done to it; ``fat`` and ``liquid`` where it is heated with such."""
-        done = set().union(*(spot.stage.does for spot in self.layout.spots))
+        found = set().union(*(spot.stage.does for spot in self.layout.spots))
         if self.layout.heats:
-            done |= {"fat" for food in self.foods if food.is_a("fat")}
-            done |= {"liquid" for food in self.foods if food.is_a("liquid", "water")}
-        return frozenset(done)
+            found |= {"fat" for food in self.foods if food.is_a("fat")}
+            found |= {"liquid" for food in self.foods if food.is_a("liquid", "water")}
+        return frozenset(found)
 
     @cached_property
     def named_foods(self) -> tuple[tuple[str, str], ...]:
-        """The words of its name that are foods, each with its kind."""
+        """The words of its name that the tables list as foods, each with its kind: (tomato, vegetable)."""
         foods = self.known.foods
         return tuple((word, foods.food(word).kind) for word in self.words if foods.is_listed(word))
 
     @cached_property
     def promised(self) -> tuple[str, ...]:
-        """The foods that its name promises, whatever its dish type and the dishes in its name need."""
+        """The foods that its name promises, but those that its dish type or a dish in its name stands for (egg salad).
+
+        What is made on the way (dough, a sauce) is no promise of a food.
+        """
         met = {word for dish in self.known.dishes_named(self.label) for word in words(dish.name)} | self.type_words
         foods = self.known.foods
         named = (word for word in self.words if word not in met and foods.is_listed(word))
@@ -100,7 +104,10 @@ class Recorded:
 
     @cached_property
     def damaged(self) -> bool:
-        """Whether something stays raw, half of the goal was lost, or the video ends before the dish is done."""
+        """Whether something stays raw, half of the goal was lost, or the video ends before the dish is done.
+
+        Such a frame is still worth something (:mod:`~foon_kg.goals.score`): it may be the only one of its dish type.
+        """
         goal = self.frame.goal
         ends_early = not word_list("is not done").isdisjoint(goal.states)
         return self.layout.raw or ends_early or 2 * len(self.frame.weak) >= len(goal.ingredients) > 0
@@ -108,7 +115,7 @@ class Recorded:
     @cached_property
     def heats(self) -> bool:
         """Whether anything of it is heated or warmed."""
-        return any(not spot.stage.does.isdisjoint(_HOT) for spot in self.layout.spots)
+        return any(not spot.stage.does.isdisjoint(HEATS) for spot in self.layout.spots)
 
     @cached_property
     def bakes(self) -> bool:
@@ -129,14 +136,14 @@ class Recorded:
 
     @cached_property
     def ends_raw(self) -> bool:
-        """Whether it is kneaded or shaped, and never heated as a whole."""
+        """Whether it is kneaded or shaped, and never heated as a whole: its video ends with balls of raw dough."""
         main = [spot for spot in self.layout.spots if not spot.side]
         worked = any(spot.post[0] in {"knead", "shape"} for spot in main)
         return worked and not any("heat" in spot.stage.does for spot in main)
 
     @cached_property
     def worked_cold(self) -> tuple[Spot, ...]:
-        """Where it is kneaded or shaped."""
+        """The stages at which it is kneaded or shaped, and not heated."""
         return tuple(
             spot for spot in self.layout.spots if spot.post[0] in {"knead", "shape"} and "heat" not in spot.stage.does
         )
@@ -181,11 +188,11 @@ class Recorded:
 
     @cached_property
     def only_poured(self) -> bool:
-        """Whether it is a dressing and nothing else, by its name and what is in it."""
+        """Whether it is a dressing and nothing else: of little but what dressings are made of, and called no salad."""
         if any(dish.dressed for dish in self.known.dishes_named(self.label)):
             return False
         parts = [food.is_a("herb", *word_list("is poured over")) for food in self.foods]
-        return sum(parts) >= _MOST * len(parts)
+        return sum(parts) >= _MOSTLY * len(parts)
 
     @cached_property
     def heats_base_alone(self) -> bool:
@@ -198,7 +205,7 @@ class Recorded:
                 return False  # more than the base is there by now
             foods = (self.known.foods.food(slot.food) for slot in spot.stage.slots)
             there += [food for food in foods if not food.is_a("fat")]
-            if there and not spot.stage.does.isdisjoint(_HOT):
+            if there and not spot.stage.does.isdisjoint(HEATS):
                 return all(food.is_a(*word_list("carries what is stacked")) for food in there)
         return False
 

@@ -1,4 +1,7 @@
-"""What speaks against making a recipe after a recorded dish, whatever else speaks for it."""
+"""What speaks against making a recipe after a recorded dish, whatever else speaks for it.
+
+Each reason is a sentence for people: explanations show it beside the dish that was passed over.
+"""
 
 from __future__ import annotations
 
@@ -41,6 +44,7 @@ def _against_company(food: AskedFood, join: Join, dish: Recorded) -> Iterator[st
 
 
 def _against_work(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
+    """Yield that a dish kneads or shapes cold what nobody would, as none of what it is built on has a place there."""
     for spot in dish.worked_cold:
         foods = zip(asked.foods, joins, strict=True)
         inside = [(food, join) for food, join in foods if _comes_through(join.spot, spot)]
@@ -50,9 +54,10 @@ def _against_work(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterat
 
 
 def _against_heat(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
+    """Yield what a dish heats that is to stay as it is, and what it leaves cold that is to be hot."""
     if asked.stacked and dish.heats_base_alone:
         yield f"what it is laid on is heated by itself in {dish.label}"
-    if dish.bakes and (asked.unbaked or asked.flat or asked.in_a_pan):
+    if dish.bakes and (asked.unbaked or asked.named_unbaked or asked.in_a_pan):
         yield f"it is not to be baked, and {dish.label} is"
     if not asked.unbaked:
         for kind in asked.dishes:

@@ -42,7 +42,7 @@ def has_its_name(fit: Fit, asked: Asked, dish_type: str, tin: str, technique: Te
     if technique is None:
         return True
     # a technique makes what the title says, and not what the video makes
-    return frame.dish_type == dish_type and set(words(frame.goal.label)) <= set(asked.told)
+    return frame.dish_type == dish_type and set(words(frame.goal.label)) <= set(asked.title_words)
 
 
 def _is_such_a_dish(fit: Fit, asked: Asked, dish_type: str, tin: str) -> bool:
@@ -92,7 +92,7 @@ def as_told(plan: Plan, asked: Asked, tin: str) -> Plan:
 
     ``tin`` is what its batter or dough is baked in.
     """
-    told = frozenset((*asked.type_words, *asked.told))
+    told = frozenset((*asked.type_words, *asked.title_words))
     return replace(
         plan,
         tin=tin,

@@ -289,11 +289,11 @@ class _Question:
 
     def _called(self, fit: Fit, asked: Asked, dish_type: str, tin: str) -> Called:
         """Return what the names of the asked dish and of the recorded one say of how it is put together."""
-        told = frozenset((*asked.type_words, *asked.told))
+        told = frozenset((*asked.type_words, *asked.title_words))
         return Called(
             asked.dishes, told, fit.frame.goal.label, asked.title, dish_type, tin,
             baked=asked.baked,
-            folded=asked.told if asked.title else fit.dish.words,
+            folded=asked.title_words if asked.title else fit.dish.words,
             warms=can_be_warmed(self.methods.operators),
             blends=can_be_blended(self.methods.operators),
             technique=self.technique,

@@ -12,7 +12,8 @@ from integration.told import Likes, operators_of, snapshot_of
 
 from foon_kg.demo import demo_folder
 from foon_kg.food import singular, tables
-from foon_kg.integration.teaching.operators import MOST_SIGHTINGS, Nearness, Operators, form_of
+from foon_kg.integration.teaching.forms import form_of
+from foon_kg.integration.teaching.operators import MOST_SIGHTINGS, Nearness, Operators
 from foon_kg.loaders import read_paths
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant, Sighting
 from foon_kg.plans.kitchen import Kitchen

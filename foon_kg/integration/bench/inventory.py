@@ -31,7 +31,7 @@ class Inventory:
         return Vessel(label, self.number(), storage=storage)
 
     def device(self, label: str) -> Device:
-        """Return the appliance called ``label``: a kitchen has one."""
+        """Return the appliance called ``label``, always the same: a kitchen has one of each kind."""
         if label not in self.devices:
             row = self.known.utensil(label)
             self.devices[label] = Device(label, self.number(), always_on=row is not None and row.always_on)
@@ -56,7 +56,7 @@ class Inventory:
         return row is not None and row.power == "vessel"
 
     def is_running(self, vessel: Vessel) -> bool:
-        """Whether the appliance of a vessel is on for it."""
+        """Return whether the appliance of ``vessel`` is on for it; what stands on none is not heated."""
         device = vessel.device
         if device is None:
             return False
@@ -96,7 +96,7 @@ class Inventory:
         return row is not None and row.source == "water"
 
     def _vessel(self, vessel: Vessel) -> Mention:
-        if vessel.storage and self._is_tap(vessel.label):
+        if vessel.storage and self._is_tap(vessel.label):  # water is "from" a tap, and never empties it
             return Mention(shared_node(vessel.label), vessel.number)
         names = foods_of(vessel)
         states = self._states_of(vessel, names)
@@ -128,6 +128,7 @@ class Inventory:
         states = ("on",) if device.always_on or running else ("off",)
         if vessel.device is not device:
             return Mention(shared_node(device.label, states), device.number)
+        # the node of a vessel says "in [oven]", that of the appliance the same from its side
         relation = "under" if vessel.relation == "on" else "with"
         return Mention(shared_node(device.label, states, (), relation, vessel.label), device.number, vessel.number)
 

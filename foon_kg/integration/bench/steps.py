@@ -11,6 +11,9 @@ from foon_kg.integration.bench.things import Shown
 from foon_kg.integration.teaching.operators import Alike, Attested, Likes, Nearness, Operators, Way
 from foon_kg.world import Step
 
+_MOST_NAMED = 3
+"""How many motions an error names; there may be a hundred ways to cut."""
+
 
 class RefusedError(Exception):
     """A step cannot happen, or nothing in the FOON attests it."""
@@ -74,8 +77,8 @@ class Steps(Inventory):
         ways = list(ways)
         found = self.near_or_far(ways, foods, act=act)
         if found is None:
-            told = ", ".join(way[0] for way in ways[:3]) or "it"
-            raise RefusedError(f"no unit of this FOON does “{told}” to {', '.join(foods) or 'nothing'} or its like")
+            named = ", ".join(way[0] for way in ways[:_MOST_NAMED]) or "it"
+            raise RefusedError(f"no unit of this FOON does “{named}” to {', '.join(foods) or 'nothing'} or its like")
         return found
 
     def first(self, ways: Iterable[Way], foods: Sequence[str]) -> Attested:
@@ -95,7 +98,7 @@ class Steps(Inventory):
         return [way for motion in sorted(motions) for way in self.operators.ways_of(motion)]
 
     def cooling(self, foods: Sequence[str]) -> Attested | None:
-        """Return the evidence of how foods cool by themselves."""
+        """Return the evidence of how ``foods`` cool by themselves; ``None`` where nothing in this FOON does."""
         return self.near_or_far([way for way in self.ways_by(word_list("cools")) if not way[1]], foods)
 
     # --- steps ---
@@ -119,5 +122,5 @@ class Steps(Inventory):
         after = [self.shown(thing) for thing in outputs]
         step = Step(tuple(dict.fromkeys(before)), motion or attested.way[0], tuple(dict.fromkeys(after)))
         if set(step.outputs) <= set(step.inputs):
-            return  # it changes nothing
+            return  # a unit that changes nothing is none (contract C3)
         self.done.append(Done(step, attested, self.phase))

@@ -13,7 +13,10 @@ _FLAT = word_list("flat utensils")
 
 @dataclass(eq=False)
 class Device:
-    """An appliance, and whether it is on (a stove: for each vessel by its number)."""
+    """An appliance, and whether it is on: ``running`` has the numbers of the vessels for which it is.
+
+    A stove has a burner for each vessel; any other appliance is on for all of them, which is the number 0.
+    """
 
     label: str
     number: int
@@ -23,7 +26,11 @@ class Device:
 
 @dataclass(eq=False)
 class Vessel:
-    """A vessel with what is in or on it. ``device`` is what it stands on, in or is attached to."""
+    """A vessel with what is in or on it.
+
+    ``device`` is what it stands on or in or is attached to, ``relation`` how (``"on"``, ``"in"``, ``"attached to"``).
+    ``storage``: it is what a food is sold or kept in, and no vessel to work in.
+    """
 
     label: str
     number: int
@@ -37,7 +44,11 @@ class Vessel:
 
 @dataclass(eq=False)
 class Stuff:
-    """A food in one place. ``foods`` are the names of all foods in it; ``wants`` the numbers of the asked ones."""
+    """A food, or a mixture (``mixed``), in one place: ``at`` a vessel, or free in the kitchen.
+
+    ``foods`` are the names of all foods in it, ``wants`` the numbers of the asked foods
+    (:attr:`~foon_kg.integration.preparing.preparation.Want.number`) of which some is in it.
+    """
 
     label: str
     number: int
@@ -72,4 +83,4 @@ def is_heated(states: Iterable[str], known: Tables) -> bool:
 
 def fineness(states: Iterable[str], known: Tables) -> int:
     """Return how fine the pieces of a food in these states are, 0 (whole) to 5 (powder), by the tables ``known``."""
-    return max((known.state(state).fine or 0 for state in states), default=0)
+    return max((known.state(state).fineness for state in states), default=0)

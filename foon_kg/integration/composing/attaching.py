@@ -13,7 +13,7 @@ from foon_kg.integration.composing.components import Side, are
 from foon_kg.integration.composing.techniques import carried_out, stage_of
 from foon_kg.integration.joining.course import COATS, HEATS, MIXES
 from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
-from foon_kg.integration.joining.spots import NATURAL, Join, Spot, is_ladled, only_carries, spots_of
+from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot, is_ladled, only_carries, spots_of
 from foon_kg.integration.teaching.frames import Line, Stage
 
 _NOWHERE = Spot(
@@ -37,7 +37,7 @@ def _with_side(
     line: Line, joins: Sequence[Join], side: Side, told: Sequence[str], known: Tables
 ) -> tuple[Line, Sequence[Join]]:
     component = side.component
-    own = [Join(want, _NOWHERE, NATURAL - 0.01) for want in side.wants]
+    own = [Join(want, _NOWHERE, UNNATURAL) for want in side.wants]
     target = stage_of(component.by)
     found: Sequence[Join] = own
     if component.technique.lines:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import CHOPPED
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.composing.coated import coated_apart
 from foon_kg.integration.joining.patterns import COOK, MIX, SHAPE, SIMMER, STIR, TOP, TURN
@@ -15,7 +16,6 @@ from foon_kg.integration.preparing.preparation import Want, as_mash, owed
 from foon_kg.integration.teaching.frames import Line, Stage
 
 _MIX = replace(MIX, tools=("spatula",))
-_SMALL = 3
 
 
 def made_apart(
@@ -160,9 +160,9 @@ class _Body:
 
     def _binds(self, want: Want, cut: int) -> bool:
         """Whether a food holds a mass together, or is a vegetable so small that it is held by that."""
-        if 0 < cut < _SMALL:
+        if 0 < cut < CHOPPED:
             return False  # what is asked in slices or rings is laid on it
-        if cut >= _SMALL and want.facts.is_a("vegetable"):
+        if cut >= CHOPPED and want.facts.is_a("vegetable"):
             return True
         binds = word_list("binds a mass") | word_list("is bound with it")
         binds |= word_list("is cooked and mashed to be shaped")
@@ -170,7 +170,7 @@ class _Body:
 
     def _is_listed_inside(self, want: Want, cut: int) -> bool:
         """Whether a recipe lists what is in small pieces between what patties are made of and what seasons that."""
-        if cut < _SMALL and not want.facts.is_a(*word_list("is mixed into patties")):
+        if cut < CHOPPED and not want.facts.is_a(*word_list("is mixed into patties")):
             return False
         end = min(self._places("carries what is stacked"), default=0)
         last = max((place for place in self._places("seasons a body") if place < end), default=-1)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.comers import is_bath
 from foon_kg.integration.joining.course import HEATS, WORKS, Plan
@@ -16,7 +17,6 @@ from foon_kg.integration.teaching.frames import Line, Stage
 
 _MELTS = word_list("melts on what is hot")
 _THICKENS = word_list("thickens what is boiled")
-_POWDER = 5
 
 
 def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
@@ -145,7 +145,7 @@ def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
 
 def _is_changed(want: Want, known: Tables) -> bool:
     """Whether a food is asked cooked, as juice, or ground, and is no more what lies on a dish."""
-    return want.cooked or want.squeezed or fineness((want.make,), known) >= _POWDER
+    return want.cooked or want.squeezed or fineness((want.make,), known) >= POWDER
 
 
 def _lies_there_boiled(want: Want) -> bool:

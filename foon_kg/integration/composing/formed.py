@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from foon_kg.food import Food, Tables, singular, words
 from foon_kg.food.lists import word_list
-from foon_kg.food.rows import Dish
+from foon_kg.food.rows import CHOPPED, Dish
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.patterns import (
@@ -30,8 +30,6 @@ from foon_kg.integration.preparing.preparation import Want, as_mixed
 from foon_kg.integration.teaching.frames import Line, Stage
 
 _SAUCE = word_list("is a sauce around a mass")
-_FINE = 3
-"""As finely as this (chopped, grated) vegetables are cut that go into a mass."""
 
 
 def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
@@ -205,7 +203,7 @@ class _Mass:
         return alone and self._is_small_enough(join)
 
     def _is_small_enough(self, join: Join) -> bool:
-        return not join.want.facts.is_a("vegetable") or self._fine(join) >= _FINE
+        return not join.want.facts.is_a("vegetable") or self._fine(join) >= CHOPPED
 
     def _is_beside_it(self, join: Join) -> bool:
         """Whether a food is taken out of the dish, lies on it, or is listed with its sauce."""

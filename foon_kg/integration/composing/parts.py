@@ -9,7 +9,7 @@ from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.composing.techniques import stage_of
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
-from foon_kg.integration.joining.spots import NATURAL, Join, Spot, any_is, only_carries
+from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot, any_is, only_carries
 from foon_kg.integration.preparing.preparation import SECOND, Want
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
@@ -180,7 +180,7 @@ def _put_on(stages: list[Stage], joins: list[Join], part: Part) -> tuple[list[St
         stages, joins = _replaced(stages, joins, old, target)
     path = (len(stages), 0) if mixing else (len(stages),)
     spot = Spot(path, mixing or target, ("top", "before", False), side=False, after=())
-    return stages, [*joins, *(Join(want, spot, NATURAL - 0.01, _slot(want, part, mixing)) for want in part.wants)]
+    return stages, [*joins, *(Join(want, spot, UNNATURAL, _slot(want, part, mixing)) for want in part.wants)]
 
 
 def _replaced(stages: Sequence[Stage], joins: Sequence[Join], old: Stage, new: Stage) -> tuple[list[Stage], list[Join]]:
@@ -216,7 +216,7 @@ def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tu
     new = replace(old, adds=(*before, *old.adds), vessel=tin, relation="in")
     spot = Spot(path=(0, 0), stage=mixing, post=("mix", "later", True), side=True, after=(pressed, new))
     moved = [_moved(join, old, new) for join in joins]
-    moved += [Join(want, spot, NATURAL - 0.01) for want in part.wants]
+    moved += [Join(want, spot, UNNATURAL) for want in part.wants]
     return [pressed, new, *stages[place + 1 :]], moved
 
 
@@ -279,7 +279,7 @@ def _browned_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) ->
 
 
 def _spot_of(bakes: Stage, stages: Sequence[Stage]) -> Spot:
-    place = next(number for number, stage in enumerate(stages) if stage is bakes)
+    place = next(place for place, stage in enumerate(stages) if stage is bakes)
     return Spot((place,), bakes, ("bake", "now", False), side=False, after=tuple(stages[place + 1 :]))
 
 

@@ -12,7 +12,7 @@ from foon_kg.food.rows import Dish
 from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import NATURAL, Join, any_is
 from foon_kg.integration.preparing.preparation import owed
-from foon_kg.integration.teaching.frames import Line, Stage
+from foon_kg.integration.teaching.frames import Line, Stage, place_among
 
 _MIXES = frozenset({"coat", "fetch", "mix", "move", "scatter", "whip"})
 
@@ -34,7 +34,7 @@ def unheated(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]
     became: dict[int, Stage] = {}
     last = kept[0]
     for stage in line.stages:
-        last = stage if stage in kept else last
+        last = stage if stage.does.isdisjoint(HEATS) else last
         became[id(stage)] = last
     return Line(kept), tuple(_at(join, became.get(id(join.spot.stage), join.spot.stage), kept) for join in joins)
 
@@ -63,8 +63,8 @@ def _heated_beside(stages: Sequence[Stage]) -> list[Line]:
 
 def _gone(stages: Sequence[Stage], kept: Sequence[Line]) -> list[Stage]:
     """Return all of ``stages``, and of the lines that join them, but what is in a line that is ``kept``."""
-    staying = [stage for line in kept for stage in line.all_stages()]
-    return [stage for stage in Line(tuple(stages)).all_stages() if stage not in staying]
+    staying = {id(stage) for line in kept for stage in line.all_stages()}
+    return [stage for stage in Line(tuple(stages)).all_stages() if id(stage) not in staying]
 
 
 def _is_fried_in_turn(joins: Sequence[Join]) -> bool:
@@ -124,7 +124,7 @@ def _heats(line: Line) -> bool:
 
 
 def _at(join: Join, stage: Stage, stages: Sequence[Stage]) -> Join:
-    place = next((n for n, one in enumerate(stages) if one is stage), None)
+    place = place_among(stages, stage)
     if place is None or (stage is join.spot.stage and stages[place + 1 :] == join.spot.after):
         return join
     spot = replace(join.spot, stage=stage, after=tuple(stages[place + 1 :]))

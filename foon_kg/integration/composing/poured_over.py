@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import MINCED
 from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import NATURAL, Join
 from foon_kg.integration.preparing.preparation import Want
@@ -15,8 +16,6 @@ from foon_kg.integration.teaching.frames import Line, Slot, Stage
 _PARTS = word_list("is poured over")
 _TOLD = word_list("says that it is poured over")
 _BODY = word_list("is the body of what is poured over")
-_FINE = 4
-"""As finely as this (minced, grated, mashed) some foods are cut that only give a dressing their taste."""
 
 _SPRAYS = word_list("sprays")
 _WHEN_FINE = word_list("is poured over when it is fine")
@@ -41,7 +40,7 @@ def is_poured_over(want: Want, slot: Slot | None = None) -> bool:
         return True
     if want.facts.kind in _SPRAYS:
         return False
-    if want.facts.is_a(*_WHEN_FINE) and want.asked and (tables().state(want.asked).fine or 0) >= _FINE:
+    if want.facts.is_a(*_WHEN_FINE) and tables().state(want.asked).fineness >= MINCED:
         return True
     return want.squeezed or want.facts.is_a(*_PARTS) or (slot is not None and "juice" in slot.states)
 

@@ -16,8 +16,8 @@ from foon_kg.integration.composing.dealing import MAIN, dealt, has_its_foods, li
 from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
+from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import BATH, Asked, Line, Phase, Slot, Stage
-from foon_kg.integration.teaching.operators import form_of
 
 
 @dataclass(frozen=True)

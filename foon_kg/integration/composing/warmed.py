@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.course import MIXES, WORKS
 from foon_kg.integration.joining.patterns import MIX, STIR
 from foon_kg.integration.joining.spots import Join
-from foon_kg.integration.teaching.frames import Line, Stage
+from foon_kg.integration.teaching.frames import Line, Stage, place_among
 from foon_kg.integration.teaching.operators import Operators
 
 _GLASS = replace(MIX, motion="stir", vessel="drinking glass", label="")
@@ -47,7 +47,7 @@ def stirred(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
 def _is_mixed(line: Line, joins: Sequence[Join]) -> bool:
     """Whether a stage mixes several of the foods that come to it."""
     for stage in line.all_stages():
-        comers = [join for join in joins if stage in (join.spot.stage, *join.spot.after)]
+        comers = [join for join in joins if place_among((join.spot.stage, *join.spot.after), stage) is not None]
         if len(comers) > 1 and not stage.does.isdisjoint(MIXES):
             return True
     return False

@@ -9,7 +9,7 @@ from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.spots import Join, Spot
 from foon_kg.integration.preparing.preparation import Want
-from foon_kg.integration.teaching.operators import form_of
+from foon_kg.integration.teaching.forms import form_of
 
 _DRY = word_list("is dry in a batter")
 _PIECES = word_list("is folded into a batter")

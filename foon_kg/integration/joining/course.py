@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.spots import Join
-from foon_kg.integration.teaching.frames import Line, Phase, Stage
+from foon_kg.integration.teaching.frames import Line, Phase, Stage, place_among
 
 MIXES = frozenset({"mix", "whip", "knead", "mash", "blend"})
 HEATS = frozenset({"heat", "warm"})
@@ -115,37 +115,38 @@ class Course:
         return found
 
     def is_hot(self, stage: Stage) -> bool:
-        """Whether the vessel of a stage is hot already when foods join there."""
+        """Return whether the vessel of ``stage`` is hot already when foods join there."""
 
         def before(line: Line) -> bool:
-            if stage in line.stages:
-                place = line.stages.index(stage)
+            place = place_among(line.stages, stage)
+            if place is not None:
                 return any("heat" in one.does for one in line.stages[:place] if self.stage_alive(one))
             return any(before(add) for one in line.stages for add in one.adds if isinstance(add, Line))
 
         return before(self.line)
 
     def follows_heat(self, stage: Stage) -> bool:
-        """Whether something is heated before foods join a stage: on its own line, or on one that has joined that."""
+        """Return whether something is heated before foods join ``stage``: on its line, or one that has joined that."""
 
         def before(line: Line) -> bool:
-            if stage not in line.stages:
+            place = place_among(line.stages, stage)
+            if place is None:
                 return any(before(add) for one in line.stages for add in one.adds if isinstance(add, Line))
-            come = line.stages[: line.stages.index(stage) + 1]
+            come = line.stages[: place + 1]
             beside = [add for one in come for add in one.adds if isinstance(add, Line) and self.alive(add)]
             return any("heat" in one.does for add in beside for one in add.all_stages())
 
         return self.is_hot(stage) or before(self.line)
 
     def has_liquid(self, stages: Sequence[Stage]) -> bool:
-        """Whether a liquid to cook in is there at the last of ``stages``."""
+        """Return whether a liquid to cook in is there at the last of ``stages``."""
         for join in self.plan.joins:
             if join.want.facts.is_a("cooking liquid") and any(join.spot.stage is s for s in self._until(stages[-1])):
                 return True
         return self._water_slot(stages)
 
     def swells_there(self, join: Join) -> bool:
-        """Whether a food swells in what the dish itself is made of: nothing is poured off, and a liquid joins there.
+        """Return whether the food of ``join`` swells in what the dish is made of: a liquid joins there, and stays.
 
         So does what is cooked beside the dish in the liquid that is asked for it.
         """
@@ -176,12 +177,12 @@ class Course:
         return any(slot.food == "water" for stage in self._until(last) for slot in stage.slots)
 
     def alive(self, line: Line) -> bool:
-        """Whether any of the asked foods joins this line."""
+        """Return whether any of the asked foods joins ``line``."""
         return any(
             self.at.get(id(stage)) or any(isinstance(add, Line) and self.alive(add) for add in stage.adds)
             for stage in line.stages
         )
 
     def stage_alive(self, stage: Stage) -> bool:
-        """Whether any of the asked foods joins at this stage."""
+        """Return whether any of the asked foods joins at ``stage``, by itself or in a line."""
         return bool(self.at.get(id(stage))) or any(isinstance(add, Line) and self.alive(add) for add in stage.adds)

@@ -9,7 +9,7 @@ from dataclasses import replace
 from foon_kg.food import Tables, singular
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.layouts import MAIN, Layout, Place
-from foon_kg.integration.joining.spots import NATURAL, Join, Spot
+from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot
 from foon_kg.integration.preparing.preparation import Want, owed
 from foon_kg.model.recent import Recent
 
@@ -65,7 +65,7 @@ class Joiner:
 
     def at(self, spot: Spot) -> Join:
         """Return its join at a stage, ``spot``, at which it has no natural place."""
-        return Join(self.want, spot, NATURAL - 0.01)
+        return Join(self.want, spot, UNNATURAL)
 
 
 class Joiners:

@@ -194,7 +194,8 @@ def _pan(spots: Sequence[Spot], bound: Spot | None) -> Spot | None:
     """Return the stage at which what was shaped is cooked first."""
     if bound is None:
         return None
-    return next((spot for spot in spots if "heat" in spot.stage.does and spot.stage in bound.after), None)
+    later = set(map(id, bound.after))
+    return next((spot for spot in spots if "heat" in spot.stage.does and id(spot.stage) in later), None)
 
 
 def _turned(spots: Sequence[Spot]) -> Spot | None:

@@ -13,10 +13,11 @@ from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.layouts import Layout
 
-_SLACK = 1e-5
-"""More than scores differ by that are equal once they are rounded."""
-
 _DIGITS = 6
+"""Scores that are equal to so many digits are ties, and go by their keys: sums of floats differ in the last ones."""
+
+_SLACK = 1e-5
+"""More than scores differ by that are equal once they are rounded: all of them are sorted, whatever is cut off."""
 
 Mask = npt.NDArray[np.bool_]
 Shares = npt.NDArray[np.float64]
@@ -86,7 +87,7 @@ class Outlines:
         self._heads = _index((number, words(outline.label)[-1:]) for number, outline in enumerate(self.all))
 
     def are_of(self, dish_type: str) -> bool:
-        """Whether some dish is of a type, or called so; of any type for ``""``."""
+        """Return whether some dish is of a type, or called so; of any type for ``""``."""
         called = any(word in self._words for word in words(dish_type))
         return bool(self.all) if not dish_type else dish_type in self.dish_types or called
 

@@ -1,4 +1,8 @@
-"""Stages that dishes are made of whatever their video does, and how foods and lines are put at them."""
+"""Stages that dishes are made of whatever their video does, and how foods and lines are put at them.
+
+The patterns are never used themselves, but copies of them (:func:`fresh`, ``replace``): which stage a food joins is
+known by the identity of that, and a dish may have two that are equal.
+"""
 
 from __future__ import annotations
 
@@ -12,15 +16,13 @@ from foon_kg.integration.teaching.frames import Line, Stage
 MIX = Stage((), "mix", frozenset({"mix"}), ("spoon",), "mixing bowl", "in", "", "", "mixture", (), 0)
 SHAPE = replace(MIX, motion="shape", does=frozenset({"shape"}), tools=(), vessel="hand")
 WHISK = replace(MIX, motion="whisk", tools=("whisk",), vessel="bowl")
-COOK = replace(MIX, motion="cook", does=frozenset({"heat"}), tools=(), vessel="cooking pan", label="")
-COOK = replace(COOK, appliance="stove", source="heat")
+COOK = Stage((), "cook", frozenset({"heat"}), (), "cooking pan", "in", "stove", "heat", "", (), 0)
 STIR = replace(COOK, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
 TURN = replace(COOK, motion="flip", does=frozenset({"turn"}), tools=("turner",))
 SIMMER = replace(COOK, motion="simmer", does=frozenset({"heat", "liquid"}))
 LAID = replace(MIX, motion="", does=frozenset(), tools=(), vessel="baking dish", label="")
 BAKE = replace(LAID, motion="bake", does=frozenset({"dry", "heat"}), appliance="oven", source="heat")
 TOP = replace(LAID, vessel="plate", relation="on")
-COOL = replace(LAID, motion="cool", does=frozenset({"wait"}))
 
 
 def fresh(*stages: Stage) -> tuple[Stage, ...]:

@@ -12,12 +12,13 @@ from dataclasses import replace
 
 from foon_kg.food import Level, Tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import CHOPPED
 from foon_kg.integration.joining.batters import as_batter, is_of_batter, is_of_dough
 from foon_kg.integration.joining.joiners import Joiner, Joiners
 from foon_kg.integration.joining.layouts import Layout, Place, is_need
 from foon_kg.integration.joining.posts import Posts
 from foon_kg.integration.joining.rearranging import in_its_layer, on_ready_dough, where_it_is_stacked, without_lone
-from foon_kg.integration.joining.spots import IN_PLACE, NATURAL, Join, Spot, only_carries
+from foon_kg.integration.joining.spots import IN_PLACE, NATURAL, UNNATURAL, Join, Spot, only_carries
 from foon_kg.integration.preparing.preparation import Want, owed
 from foon_kg.integration.teaching.frames import Slot
 from foon_kg.similarity.roles import roles_of
@@ -29,8 +30,6 @@ _SAME_KIND, _SURE, _OTHER_KIND = 0.6, 0.8, 0.7
 """How well a food fits where one of its kind is; from which confidence on its kind does not matter; what a confidence
 is worth where it is of another kind."""
 
-_SMALL = 3
-"""How fine pieces are that are mixed into something rather than laid on it (chopped, grated)."""
 
 _AS_USUAL = 0.75
 """How usual a place must be for a kind, beside its most usual one in that dish, to be taken for a like food."""
@@ -45,8 +44,8 @@ MOST_JOINED = 256
 
 def _lies_on(layout: Layout, want: Want, best: Join, known: Tables) -> bool:
     """Whether a food lies on patties though the video mixes it into them."""
-    fine = known.state(want.make).fine or 0 if want.make else 0
-    return best.spot is layout.bound and fine < _SMALL and want.facts.is_a(*word_list("lies on patties"))
+    fine = known.state(want.make).fineness
+    return best.spot is layout.bound and fine < CHOPPED and want.facts.is_a(*word_list("lies on patties"))
 
 
 def _in_the_pan(layout: Layout, join: Join) -> Join:
@@ -209,7 +208,7 @@ class Matcher:
             if spot.post[0] == "top" and not food.tops:
                 continue
             likely = self.posts.likely(want, spot.post, dish_type)
-            fit = min(likely * (0.6 + 0.4 * self.posts.company(want.facts.kind, spot.kinds)), NATURAL - 0.01)
+            fit = min(likely * (0.6 + 0.4 * self.posts.company(want.facts.kind, spot.kinds)), UNNATURAL)
             score = _weighed(fit, layout, food, spot)
             if score > best:
                 found, most, best = spot, fit, score

@@ -14,8 +14,18 @@ from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Frame
 
 _FACTORS = 3
-_SMOOTH = 0.02
-"""What a post has in common with those at which no such food was ever seen."""
+"""How many things make a post (:data:`~foon_kg.integration.joining.spots.Post`).
+
+They are counted apart, as if they did not depend on each other: of all three at once a hundred videos show too few."""
+
+_LEAST = 0.02
+"""How likely it is at least that a food joins at a post: that no video shows it is no proof."""
+
+_PRIOR = 3.0
+"""How many sightings of such a food are half trusted; the other half is what broader foods do."""
+
+_USUAL_TOGETHER = 2
+"""Two kinds that meet so often are usual together, however often they meet besides."""
 
 
 def _no_counts() -> tuple[Counter[object], ...]:
@@ -23,7 +33,12 @@ def _no_counts() -> tuple[Counter[object], ...]:
 
 
 class Posts:
-    """How often foods join at each post and beside which others, counted over frames."""
+    """How often foods join at each post and beside which others, counted over frames.
+
+    ``counts`` has by kind (or ``trait:``, ``""`` for any food) and dish type (``""`` for any) a counter for each factor
+    of a post; ``beside`` by kind which kinds join at the same stage; ``cooked`` by which motions such foods are cooked
+    by themselves before. Answers are kept: a recipe asks the same of each place of sixteen frames.
+    """
 
     def __init__(self, frames: Iterable[Frame], known: Tables | None = None) -> None:
         self.known = known or tables()
@@ -74,9 +89,14 @@ class Posts:
         return found
 
     def _factor(self, want: Want, factor: int, value: object, dish_type: str) -> float:
-        share = _SMOOTH
+        """Return how likely such a food joins where one ``factor`` of the post has a ``value``.
+
+        The share is told by any food first, then by foods with its traits, then by its kind; of each in all dishes and
+        then in those of the type. Each corrects what was told before as far as there is enough of it to be trusted.
+        """
+        share = _LEAST
         traits = sorted(f"trait:{trait}" for trait in want.facts.traits)
-        for names in (("",), traits, (want.facts.kind,)):  # from what all foods do to what its kind does
+        for names in (("",), traits, (want.facts.kind,)):
             for dish in ("", dish_type):
                 total = times = 0
                 for name in names:
@@ -84,9 +104,9 @@ class Posts:
                     if counts is not None:
                         total += self._total(name, dish, factor)
                         times += counts[factor][value]
-                trust = total / (total + 3.0)
+                trust = total / (total + _PRIOR)
                 share = trust * (times / total if total else 0.0) + (1 - trust) * share
-        return max(share, _SMOOTH)
+        return max(share, _LEAST)
 
     def _total(self, name: str, dish: str, factor: int) -> int:
         found = self._totals.get((name, dish, factor))
@@ -104,6 +124,8 @@ class Posts:
         found = self._together.get((kind, kinds))
         if found is None:
             mine = self.beside.get(kind)
-            found = sum(min(1.0, mine[other] / 2) for other in kinds) / len(kinds) if mine and kinds else 0.0
+            found = (
+                sum(min(1.0, mine[other] / _USUAL_TOGETHER) for other in kinds) / len(kinds) if mine and kinds else 0.0
+            )
             self._together[kind, kinds] = found
         return found

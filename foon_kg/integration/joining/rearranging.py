@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.layouts import Layout
-from foon_kg.integration.joining.spots import IN_PLACE, NATURAL, Join, Spot, any_is, only_carries
+from foon_kg.integration.joining.spots import IN_PLACE, UNNATURAL, Join, Spot, any_is, only_carries
 
 _CHANGES = frozenset({"blend", "knead", "mash", "shape"})
 _SLICES = word_list("carries what is stacked")
@@ -19,11 +19,11 @@ def on_ready_dough(layout: Layout, joins: Sequence[Join]) -> list[Join]:
     if laid is None:
         return list(joins)
     if _carries_it_all(laid, joins):
-        return [replace(one, spot=laid) if laid.stage in one.spot.after else one for one in joins]
+        return [replace(one, spot=laid) if _joins_before(one, laid) else one for one in joins]
     ready = next((join for join in joins if _is_ready_dough(join)), None)
     if ready is None:
         return list(joins)
-    return [Join(one.want, laid, NATURAL - 0.01) if _joins_before(one, ready) else one for one in joins]
+    return [Join(one.want, laid, UNNATURAL) if _joins_before(one, ready.spot) else one for one in joins]
 
 
 def _carries_it_all(laid: Spot, joins: Sequence[Join]) -> bool:
@@ -35,8 +35,8 @@ def _is_ready_dough(join: Join) -> bool:
     return join.fit == IN_PLACE and join.want.facts.is_a("dough")
 
 
-def _joins_before(one: Join, other: Join) -> bool:
-    return any(stage is other.spot.stage for stage in one.spot.after)
+def _joins_before(join: Join, spot: Spot) -> bool:
+    return any(stage is spot.stage for stage in join.spot.after)
 
 
 def in_its_layer(layout: Layout, join: Join) -> Join:
@@ -85,7 +85,7 @@ def _is_all_of(line: tuple[int, ...], layout: Layout, join: Join, joins: Sequenc
 def _at_what_takes(line: tuple[int, ...], layout: Layout, join: Join) -> Join:
     """Return a food at the stage that a side line joins."""
     spot = next(spot for spot in layout.spots if spot.path == line[:-1])
-    return Join(join.want, spot, min(join.fit, NATURAL - 0.01))
+    return Join(join.want, spot, min(join.fit, UNNATURAL))
 
 
 def where_it_is_stacked(layout: Layout, joins: Sequence[Join]) -> list[Join]:

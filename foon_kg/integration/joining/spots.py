@@ -21,9 +21,13 @@ heated (``now``, ``later``, ``before``, ``never``), and whether the line joins a
 NATURAL = 0.5
 """A slot is natural for a food that its own can stand for with at least this confidence."""
 
+UNNATURAL = NATURAL - 0.01
+"""How well a food fits at most where it has no slot: less than in any natural one, so that joins can be compared."""
+
 IN_PLACE = 0.95
 """How well a food fits where a dish makes such a thing itself."""
 
+# The first that holds is what a stage is told by: to bake is to heat with dry heat, so it comes before that.
 _WORKS = (
     ("blend", {"blend"}), ("knead", {"knead"}), ("bake", {"dry"}), ("boil", {"liquid"}), ("heat", {"heat", "warm"}),
     ("shape", {"shape"}), ("mix", {"mix", "whip", "mash"}), ("rest", {"wait"}),
@@ -32,7 +36,11 @@ _WORKS = (
 
 @dataclass(frozen=True, eq=False)
 class Spot:
-    """One stage of a frame with its line, and what comes after it. ``path`` are places in nested lines."""
+    """One stage of a frame with what comes after it (``after``, on its line and on those that this one joins).
+
+    ``side``: its line joins another one. ``path`` leads to it: the place of a stage, the number of what joins there,
+    the place of a stage in that, and so on. Two spots are the same only by identity, as stages are.
+    """
 
     path: tuple[int, ...]
     stage: Stage
@@ -101,7 +109,7 @@ class Join:
 
 
 def any_is(joins: Iterable[Join], *kinds: str) -> bool:
-    """Whether one of the foods of ``joins`` is of one of ``kinds``, has such a trait, or is called so."""
+    """Return whether one of the foods of ``joins`` is of one of ``kinds``, has such a trait, or is called so."""
     return any(join.want.facts.is_a(*kinds) for join in joins)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Bench, Stuff, Vessel
 from foon_kg.integration.joining.course import HEATS, MIXES
 from foon_kg.integration.joining.spots import Join
@@ -13,9 +14,10 @@ from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.cooling import Cooling
 from foon_kg.integration.making.outcome import says_raw
 from foon_kg.integration.making.precooking import Precooking
-from foon_kg.integration.preparing.preparation import POWDER, Ready, Want, owed
+from foon_kg.integration.preparing.preparation import Ready, Want, owed
+from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import Stage
-from foon_kg.integration.teaching.operators import Attested, Way, form_of
+from foon_kg.integration.teaching.operators import Attested, Way
 
 _BOILED = word_list("is so by boiling")
 
@@ -281,7 +283,7 @@ class Alone:
 
     def _is_stirred(self, ready: Ready, method: Sequence[str]) -> bool:
         """Whether a food is in pieces, which would burn where they lie."""
-        pieces = any(1 < (self.known.state(state).fine or 0) < POWDER for state in ready.stuff.states)
+        pieces = any(1 < self.known.state(state).fineness < POWDER for state in ready.stuff.states)
         loose = pieces or ready.want.facts.is_a(*word_list("lies loose"))
         return loose and set(method) == {"cook"} and not self.precooking.pours(ready.want)
 

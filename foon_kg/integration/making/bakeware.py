@@ -10,7 +10,7 @@ from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.joining.batters import binds
 from foon_kg.integration.making.consistency import is_wet
 from foon_kg.integration.preparing.preparation import Want
-from foon_kg.integration.teaching.operators import form_of
+from foon_kg.integration.teaching.forms import form_of
 
 _DEEP = "baking dish"
 """What is wet is baked in it."""

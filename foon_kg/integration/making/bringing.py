@@ -14,8 +14,9 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel, is_flat
 from foon_kg.integration.making.consistency import is_laid, is_liquid_or_soft, is_poured
 from foon_kg.integration.preparing.preparation import Ready, Want
+from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import Slot
-from foon_kg.integration.teaching.operators import Attested, Way, form_of
+from foon_kg.integration.teaching.operators import Attested, Way
 
 _POUR = frozenset({"pour", "drip"})
 _MOVES = frozenset({"move", "scatter", "fetch"})

@@ -14,8 +14,9 @@ from foon_kg.integration.making.consistency import SOLID, form_together, is_uncu
 from foon_kg.integration.making.water import JUG, TAP, Water
 from foon_kg.integration.preparing.preparation import Ready, Want
 from foon_kg.integration.preparing.preparer import Preparer
+from foon_kg.integration.teaching.forms import form_of, is_liquid_fat
 from foon_kg.integration.teaching.frames import Slot, Stage
-from foon_kg.integration.teaching.operators import Attested, Way, form_of, is_liquid_fat
+from foon_kg.integration.teaching.operators import Attested, Way
 
 
 class Carrier:

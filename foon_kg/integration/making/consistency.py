@@ -7,13 +7,11 @@ from functools import lru_cache
 
 from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import CHOPPED
 from foon_kg.integration.bench import Stuff, fineness, is_heated
 from foon_kg.integration.joining.batters import binds
-from foon_kg.integration.teaching.operators import form_of
+from foon_kg.integration.teaching.forms import form_of
 from foon_kg.world.running import is_runny
-
-_SMALL = 3
-"""As finely as this is cut what nobody picks up piece by piece."""
 
 _DRY = word_list("coats dry")
 _COATING = _DRY | word_list("coats wet") | word_list("clings to what is coated")
@@ -179,7 +177,7 @@ def is_poured(known: Tables, label: str, states: tuple[str, ...]) -> bool:
     ``known`` are the tables.
     """
     form = form_of(known, label, states)
-    if form in {"liquid", "powder"} or fineness(states, known) >= _SMALL:
+    if form in {"liquid", "powder"} or fineness(states, known) >= CHOPPED:
         return True
     loose = known.foods.food(label, states).is_a(*word_list("lies loose"))
     return loose and word_list("lies in one piece").isdisjoint(states) and form in {"pieces", "whole"}

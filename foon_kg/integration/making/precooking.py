@@ -9,14 +9,16 @@ from collections.abc import Collection, Sequence, Set
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Bench
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.course import HEATS, MIXES, Course
 from foon_kg.integration.joining.spots import Join, Spot
-from foon_kg.integration.preparing.preparation import POWDER, Want, owed
+from foon_kg.integration.preparing.preparation import Want, owed
 from foon_kg.integration.preparing.preparer import Preparer
+from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import Phase, Stage
-from foon_kg.integration.teaching.operators import Nearness, Way, form_of
+from foon_kg.integration.teaching.operators import Nearness, Way
 
 _MUCH_ALIKE = 0.8
 _IN_WATER, _IN_A_PAN = ("boil",), ("cook",)
@@ -66,7 +68,7 @@ class Precooking:
 
     def _is_cut_of_its_shell(self, want: Want) -> bool:
         """Whether a food that runs out of its shell is asked in pieces or peeled: it is boiled in its shell."""
-        fine = self.known.state(want.make).fine or 0 if want.make else 0
+        fine = self.known.state(want.make).fineness
         peeled = want.asked in word_list("has no shell any more")
         return (peeled or 0 < fine < POWDER) and self.pours(want)
 

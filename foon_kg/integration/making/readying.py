@@ -12,8 +12,8 @@ from foon_kg.integration.joining.course import HEATS, MIXES
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.alone import Alone
 from foon_kg.integration.preparing.preparation import Ready, Want
+from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import Phase, Stage
-from foon_kg.integration.teaching.operators import form_of
 
 
 class Readying:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import CHOPPED
 from foon_kg.integration.bench import Vessel, fineness, foods_of, is_flat
 from foon_kg.integration.joining.course import WORKS
 from foon_kg.integration.joining.spots import Join
@@ -19,8 +20,6 @@ _SEASONS = word_list("seasons pieces")
 _LAYERS = word_list("is a layer")
 _CLOSES = word_list("closes what is stacked")
 _SMEARED = word_list("is smeared on it")
-_SMALL = 3
-"""How fine pieces are that are bound by something creamy (chopped, flaked)."""
 
 
 class Stacking(Hands):
@@ -176,7 +175,7 @@ class Stacking(Hands):
 
     def _is_small(self, join: Join) -> bool:
         fine = fineness(self.ready[join.want.number].stuff.states, self.known)
-        return fine >= _SMALL or join.want.facts.is_a(*word_list("falls apart"))
+        return fine >= CHOPPED or join.want.facts.is_a(*word_list("falls apart"))
 
     def _bring_as_usual(self, join: Join, vessel: Vessel) -> None:
         """Bring a food as is usual for it, and not as its slot has it."""

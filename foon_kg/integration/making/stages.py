@@ -11,15 +11,14 @@ from functools import cached_property
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.parted import PART
+from foon_kg.food.rows import MINCED
 from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat, is_heated
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.course import HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.spots import Join, only_carries
 from foon_kg.integration.making.turns import Turn, lines_at
+from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import BATH, Line, Phase, Slot, Stage
-from foon_kg.integration.teaching.operators import form_of
-
-_GRATED = 4
 
 
 class Stages:
@@ -275,7 +274,7 @@ class Stages:
     def _is_in_pieces(self, vessel: Vessel) -> bool:
         """Whether there is nothing to cut in what a dish is cooked in: all of it is small, or one with the rest."""
         row = self.known.utensil(vessel.label)
-        fine = all(s.mixed or any((self.known.state(t).fine or 0) > 0 for t in s.states) for s in vessel.contents)
+        fine = all(s.mixed or any(self.known.state(t).fineness > 0 for t in s.states) for s in vessel.contents)
         return row is not None and bool(row.can & {"heat", "cook"}) and fine and len(vessel.contents) > 1
 
     def _is_shaped(self, vessel: Vessel) -> bool:
@@ -287,7 +286,7 @@ class Stages:
         """Whether one food is as a stage would make it: beaten before, in small bits, or dough that was bought."""
         facts = self.known.foods.food(stuff.label)
         beaten = "whip" in stage.does and not self.known.motion(stage.motion).gives.isdisjoint(stuff.states)
-        small = any((self.known.state(state).fine or 0) >= _GRATED for state in stuff.states)
+        small = any(self.known.state(state).fineness >= MINCED for state in stuff.states)
         small = small or form_of(self.known, stuff.label, stuff.states) == "powder"
         if small and not stage.does.isdisjoint({"blend", "whip"}):
             return True

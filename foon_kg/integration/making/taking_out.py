@@ -6,9 +6,10 @@ from collections.abc import Callable, Sequence
 
 from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Bench, Stuff, Vessel, fineness, foods_of
 from foon_kg.integration.joining.course import Plan
-from foon_kg.integration.preparing.preparation import POWDER, Want
+from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.operators import Attested, Way
 
 _LEAST = 2

@@ -13,7 +13,8 @@ from foon_kg.integration.making.outcome import Outcome, says_raw
 from foon_kg.integration.making.rising import Rising
 from foon_kg.integration.making.taking_out import TakingOut
 from foon_kg.integration.making.ways import Ways
-from foon_kg.integration.teaching.operators import Attested, is_liquid_fat
+from foon_kg.integration.teaching.forms import is_liquid_fat
+from foon_kg.integration.teaching.operators import Attested
 from foon_kg.world import Mention, Step
 
 

@@ -11,27 +11,34 @@ from functools import lru_cache
 
 from foon_kg.food import Food, Tables, singular
 from foon_kg.food.lists import word_list, word_lists
+from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Bench
-from foon_kg.integration.preparing.preparation import CUTS, NOT_BY_HAND, POWDER, Want, is_mill, wants_a_mill
+from foon_kg.integration.preparing.preparation import CUTS, NOT_BY_HAND, Want, is_mill, wants_a_mill
 from foon_kg.integration.teaching.operators import Attested, Way
 
 _SOFT = word_list("can be mashed")
 
 LEAST_ALIKE = 0.2
-"""A food is grated or mashed like another one only where that is not quite absurd."""
+"""From which confidence on a food is grated or mashed like another one: a trout is not, like a carrot.
+
+A knife cuts anything, so that no likeness is asked for it."""
 
 BOWL = "bowl"
 
 _GRATE = "grate"
+"""What a tool can do (:class:`~foon_kg.food.rows.Utensil`) that is a grater."""
+
 _OPEN = "open"
+"""What a tool can do that is a knife and no peeler: to open."""
 
 STANDS_FOR = {"stone": ("core",), "choke": ("core",), "core": ("stone",), "shell": ("peel",), "husk": ("peel",)}
-"""What also does for a treatment."""
+"""Which others also do for a treatment: annotators call one hollow of a fruit its core or its stone."""
 
 _RARE = 0.3
-"""So seldom, beside the most usual way, is a state given in a way that somebody noted wrongly."""
+"""A way that gives a state less than this often, beside the most usual one, was noted wrongly by somebody."""
 
-_SHREDS = word_list("only what is cooked is so")
+_COOKED_FIRST = word_list("only what is cooked is so")
+"""States that only cooked flesh can be in: pulled, shredded."""
 
 
 @lru_cache(maxsize=1 << 12)
@@ -84,7 +91,7 @@ class Cutter:
 
     def way_to_cut(self, want: Want, state: str) -> Attested | None:
         """Return how ``want`` is brought into pieces of that state; ``None`` where nobody does so with a like food."""
-        key = (want.label, want.facts, state)  # it is asked first whether there is a way, and then which
+        key = (want.label, want.facts, state)  # kept, as it is asked first whether there is a way, and then which
         if key not in self._cuts:
             self._cuts[key] = self._way_to_cut_so(want, state)
         return self._cuts[key]
@@ -103,7 +110,7 @@ class Cutter:
     def _ways_to_cut(self, want: Want, state: str) -> list[Way]:
         """Return the ways of this FOON by which such a food can be brought into pieces of that state."""
         ways = self._ways_to_divide(state)
-        torn = state in _SHREDS and want.facts.is_a(*word_list("is flesh"))  # it is cooked by then
+        torn = state in _COOKED_FIRST and want.facts.is_a(*word_list("is flesh"))  # it is cooked by then
         ways = (_by_bare_hands(ways) if torn else []) or self.with_a_knife(ways, want, state)
         if wants_a_mill(state, want.facts, self.known):
             return [way for way in ways if is_mill(way, self.known)]
@@ -154,6 +161,7 @@ class Cutter:
         """Return the state into which the FOON most often cuts such a food as ``want``."""
         if want.facts.is_a(*word_list("is grated where nothing is said")):
             return min(word_list("only grates"))
+        # the narrowest name that is ever cut decides, the whole kitchen (vegetables) at last
         counts: dict[str, int] = {}
         for name in (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}", "kind:vegetable"):
             for state in self.operators.states.get(name, ()):
@@ -164,7 +172,7 @@ class Cutter:
                     )
             if any(counts.values()):
                 break
-        counts = counts or {"chopped": 1}
+        counts = counts or {"chopped": 1}  # a FOON that cuts nothing like it
         return min(counts, key=lambda state: (-counts[state], state))
 
     def comes_so(self, want: Want, state: str) -> bool:
@@ -233,6 +241,6 @@ class Cutter:
         if not way[1]:
             return BOWL
         places = self.operators.onto.get(way)
-        if not places:
-            places = self.operators.onto[("chop", ("knife",))]
+        if not places:  # no video says on what: as what is chopped with a knife
+            places = self.operators.onto.get(("chop", ("knife",)))
         return min(places, key=lambda place: (-places[place], place)) if places else "cutting board"

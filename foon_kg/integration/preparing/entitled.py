@@ -12,8 +12,8 @@ from dataclasses import replace
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.bites import is_eaten_by_bites
 from foon_kg.food.lists import word_list
-from foon_kg.food.rows import State
-from foon_kg.integration.preparing.preparation import CANNED, JUICE, POWDER, Want
+from foon_kg.food.rows import POWDER, State
+from foon_kg.integration.preparing.preparation import CANNED, JUICE, Want
 from foon_kg.integration.teaching.operators import Operators
 
 
@@ -88,9 +88,9 @@ def as_in_a_dish(wants: Iterable[Want], operators: Operators, title: str, dish_t
 
     The ``dish_type`` and ``title`` say what dish, ``operators`` what the FOON does with such foods.
     """
-    wants, known, told = tuple(wants), operators.known, frozenset(words(title))
-    pressed = dish_type in word_list("is made with juice") and word_list("is made with slices").isdisjoint(told)
-    bites = is_eaten_by_bites((*words(dish_type), *told), known.dishes_named(dish_type, title))
+    wants, known, title_words = tuple(wants), operators.known, frozenset(words(title))
+    pressed = dish_type in word_list("is made with juice") and word_list("is made with slices").isdisjoint(title_words)
+    bites = is_eaten_by_bites((*words(dish_type), *title_words), known.dishes_named(dish_type, title))
 
     def meant(want: Want) -> Want:
         if not _is_whole(want, known):
@@ -99,7 +99,7 @@ def as_in_a_dish(wants: Iterable[Want], operators: Operators, title: str, dish_t
             return _pressed(want, operators)
         if bites and want.facts.is_a(*word_list("is pulled off when it is boiled")):
             return replace(want, then=min(word_list("is so when it is pulled off")))
-        return _canned(want, known) if _comes_canned(want, wants, told) else want
+        return _canned(want, known) if _comes_canned(want, wants, title_words) else want
 
     return tuple(map(meant, wants))
 

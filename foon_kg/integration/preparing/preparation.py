@@ -12,19 +12,24 @@ from dataclasses import dataclass, field, replace
 
 from foon_kg.food import Food, Level, Tables, singular
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Stuff
 from foon_kg.integration.teaching.operators import Way
 
 IN_ORDER = ("husk", "shell", "peel", "core", "stone", "choke")
-"""What hands do to a food before it is cut, in this order."""
+"""What hands do to a food before it is cut, in this order: from the outside in."""
 
 BY_HAND = frozenset(IN_ORDER)
-"""The same, in no order."""
-
+"""The same, to be looked up in."""
 
 _MILLS = frozenset({"grind", "blend", "mash"})
+"""What a motion does by which something hard becomes a powder."""
+
 CUTS = frozenset({"cut", "grate", "mash", "grind"})
+"""What a motion does that divides a food."""
+
 NOT_BY_HAND = frozenset({"heat", "warm", "blend", "mix", "wait", "coat", "shape", "scatter", "fetch"})
+"""What a motion does that hands do not do to one food on a board: heat, machines, time, or others that join it."""
 
 CANNED = "canned"
 FROM_A_CAN = frozenset({"drain"})
@@ -41,10 +46,9 @@ BRINGS = frozenset({"fetch", "move", "scatter"})
 
 
 SECOND = 1000
-"""Above this are the numbers of second portions: below it are those of what is asked."""
+"""Above this are the numbers of second portions: below it are those of what is asked, which no recipe has so many of.
 
-POWDER = 5
-"""How fine a powder is (:class:`~foon_kg.food.rows.State`)."""
+Each module that makes some begins at a multiple of its own, so that no two portions have one number."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +57,8 @@ class Want:
 
     ``leaf`` are the states in which the kitchen has it, in ``storage`` (``""``: free). ``make`` is the asked state that
     somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
-    (``None``: it was taken at its word). ``bought_so``: no kitchen of this FOON makes what is asked (smoked, pickled).
+    (``None``: it was taken at its word). ``squeezed``: only its juice is used. ``bought_so``: no kitchen of this FOON
+    makes what is asked (smoked, pickled).
     ``at_hand``: somebody has it in the asked state. ``then`` is what is made of it once it is cooked (mashed).
     ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes out of an oven. ``part`` is
     for what of the dish the recipe says that it is, ``places`` are those at which it lists it. ``told`` are the asked
@@ -89,7 +94,11 @@ class Want:
 
 @dataclass
 class Ready:
-    """A food that is ready to join, and what had to be assumed for it."""
+    """A food that is ready to join, and what had to be assumed for it.
+
+    ``whole_shell``: it is still in its shell, and is opened over the vessel that it joins. ``cut_later`` is the state
+    into which it is cut once it is cooked, ``read_as`` that as which the asked one was read.
+    """
 
     want: Want
     stuff: Stuff
@@ -146,9 +155,9 @@ def as_mixed(want: Want, known: Tables) -> Want:
 
 
 def owed(want: Want, known: Tables, level: Level = Level.MINOR) -> set[str]:
-    """Return what a cook still has to do to ``want`` as it is sold: what is fatal, and minor if ``level`` is that.
+    """Return what a cook still has to do to ``want`` as the kitchen has it (peel, cook …), by the tables ``known``.
 
-    ``known`` are the tables.
+    ``level``: all of it (``MINOR``), or only that without which it cannot be eaten (``FATAL``).
     """
     levels = {Level.FATAL} if level is Level.FATAL else {Level.FATAL, Level.MINOR}
     earned = frozenset().union(*(known.state(state).earns for state in want.leaf))

@@ -11,21 +11,12 @@ from collections.abc import Sequence
 from foon_kg.food import words
 from foon_kg.food.lists import word_list
 from foon_kg.food.parted import parts_in
+from foon_kg.food.rows import HALVED, POWDER
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.preparing.cutting import BOWL
-from foon_kg.integration.preparing.preparation import (
-    BY_HAND,
-    JUICE,
-    POWDER,
-    Ready,
-    Want,
-    owed,
-)
+from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, Ready, Want, owed
 from foon_kg.integration.preparing.treating import Treater
-from foon_kg.integration.teaching.operators import form_of
-
-_HALVED = 1
-"""How fine a food in halves is (:class:`~foon_kg.food.rows.State`)."""
+from foon_kg.integration.teaching.forms import form_of
 
 
 class Preparer(Treater):
@@ -51,7 +42,7 @@ class Preparer(Treater):
         if want.foamed or want.of is not None:
             return ready
         if "shell" in due and self.opening(want) is not None:
-            ready.whole_shell = True
+            ready.whole_shell = True  # an egg on a board would run off
         elif self._comes_in_pieces(want, cut):
             self._take_in_pieces(ready, cut)
         else:
@@ -66,6 +57,7 @@ class Preparer(Treater):
 
     def _work_on(self, ready: Ready, due: set[str], cut: str, form: Sequence[str], *, alone: bool) -> None:
         """Clean a food of what is ``due``, then squeeze it, or drain and ``cut`` it; see :meth:`prepare`."""
+        # in the order of hands: peeled and washed whole, drained before it is cut, and washed inside when it is
         self.clean(ready, due, cut)
         want = ready.want
         if self._is_pressed(want, form):
@@ -124,6 +116,7 @@ class Preparer(Treater):
         """Return what hands have to do to a food: what it owes, and what the asked state needs."""
         if want.squeezed or want.at_hand or want.facts.is_a(*word_list("is grated off the whole")):
             return set()
+        # the table has "trimmed" take out a choke, which only artichokes have: anything else loses but its ends
         trimmed = want.make in word_list("is cut off at the ends")
         earns = self.known.state(want.make).earns & BY_HAND if want.make and not trimmed else frozenset()
         return owed(want, self.known) | (earns & want.facts.owes.keys() or earns)  # hulled: cored, or out of a husk
@@ -151,7 +144,7 @@ class Preparer(Treater):
     def cut_to_bites(self, ready: Ready) -> None:
         """Cut a food that is ``ready`` again if half of one is too large to be eaten with a spoon or fork."""
         rows = [self.known.state(state) for state in ready.stuff.states]
-        halves = max((row.fineness for row in rows), default=0) == _HALVED
+        halves = max((row.fineness for row in rows), default=0) == HALVED
         halves = halves and word_list("is a small one").isdisjoint(words(ready.want.label))
         if halves and ready.want.facts.is_a(*word_list("is more than a bite in halves")):
             self._cut(ready, self.usual_cut(ready.want))
@@ -237,6 +230,7 @@ class Preparer(Treater):
         return finer
 
     def _cut(self, ready: Ready, state: str) -> None:
+        """Bring a food into pieces of that state, unless it is a powder; where nobody does so, assume it."""
         want = ready.want
         if self._is_finer(ready, state):
             return
@@ -249,10 +243,7 @@ class Preparer(Treater):
         if board and ready.stuff.at is not None and not ready.stuff.at.storage and ready.stuff.at.label != board:
             carried = self.bench.require([("pick-and-place", ()), ("pour", ())], want.names)
             self.bench.bring([ready.stuff], self.bench.vessel(board), carried)  # nothing is cut in a strainer
-        try:
-            self.bench.act(ready.stuff, attested, (state,), board)
-        except RefusedError:
-            self.assume(ready, state)
+        self.bench.act(ready.stuff, attested, (state,), board)
 
 
 def _is_served_cut(want: Want) -> bool:

@@ -29,7 +29,7 @@ from foon_kg.world.treatment import ADVISED
 _HALVED = "halved"
 
 _DONE_WITH = {"stone": "core", "peel": "husk"}
-"""What is done by another treatment, where that is due."""
+"""What is done by another treatment, where that is due: who cores an apple, takes its pips out."""
 
 
 class Treater(Cutter):
@@ -60,7 +60,10 @@ class Treater(Cutter):
         self.rinse(ready, "washed")
 
     def _treat(self, ready: Ready, name: str) -> None:
-        """Peel, core or stone the food, or assume that it was bought so."""
+        """Peel, core or stone the food, as ``name`` says; where nobody does so to such a food, assume it.
+
+        What is only better done (minor), and was not asked, is left undone then without a word.
+        """
         want, stuff = ready.want, ready.stuff
         does = (name, *STANDS_FOR.get(name, ()))
         attested = self.way_to_treat(want, name)
@@ -187,7 +190,7 @@ class Treater(Cutter):
         """
         bench, stuff, foods = self.bench, ready.stuff, ready.want.names
         ways: list[Way] = [("rinse", ()), ("wash", ())]
-        attested = bench.attest(ways, foods) or bench.far(ways, foods)
+        attested = bench.near_or_far(ways, foods)
         if attested is None:
             return False
         if stuff.at is None or stuff.at.storage:
@@ -208,7 +211,8 @@ class Treater(Cutter):
         states = (*ready.stuff.states, asked) if drained else None
         ways: list[Way] = [("drain", ()), ("pour", ())] if drained else [("pour", ()), ("drain", ())]
         foods = ready.want.names
-        attested = self.bench.attest(ways[:1], foods) or self.bench.attest(ways, foods) or self.bench.far(ways, foods)
+        # the first way if such a food is ever brought so, be the other nearer: drained, it is in the asked state
+        attested = self.bench.attest(ways[:1], foods) or self.bench.near_or_far(ways, foods)
         if attested is not None:
             self.bench.bring([ready.stuff], self.bench.vessel("strainer"), attested, states)
 
@@ -240,6 +244,7 @@ class Treater(Cutter):
         """Return the way to open the shell of ``want`` over a vessel, if there is one."""
         ways = [way for way in self.operators.ways.get("shell", ()) if "open" in self.known.motion(way[0]).does]
         ways = [way for way in ways if self.operators.onto.get(way) and not way[1]]
+        # what was boiled in its shell is peeled, and runs no more
         opens = "shell" in want.facts.owes and not want.facts.is_a(*word_list("is peeled and not cracked"))
         return self.bench.attest(ways, want.names, act=True) if opens else None
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from foon_kg.food import Food, Tables, singular, words
 from foon_kg.food.lists import word_list
-from foon_kg.food.rows import State
+from foon_kg.food.rows import POWDER, State
 from foon_kg.food.told_states import asked_state, in_turn
 from foon_kg.integration.preparing.entitled import as_entitled, is_bought_so
 from foon_kg.integration.preparing.preparation import (
@@ -19,14 +19,14 @@ from foon_kg.integration.preparing.preparation import (
     CANNED,
     FROM_A_CAN,
     JUICE,
-    POWDER,
     RINSED,
     Want,
     is_mill,
     owed,
     wants_a_mill,
 )
-from foon_kg.integration.teaching.operators import Operators, Way, form_of
+from foon_kg.integration.teaching.forms import form_of
+from foon_kg.integration.teaching.operators import Operators, Way
 from foon_kg.model import RequiredIngredient
 from foon_kg.world.treatment import ADVISED
 
@@ -101,16 +101,18 @@ def _in_a_package(want: Want) -> Want:
     """Return a food that is sold free, but not in the state in which the kitchen has it: nobody keeps crumbs so."""
     if want.storage:
         return want
-    for storage in ("bag", "container", "packet"):
+    for storage in ("bag", "container", "packet"):  # the names of three lists of states, and of what they come in
         if not word_list(f"comes in a {storage}").isdisjoint(want.leaf):
             return replace(want, storage=storage)
     return want
 
 
 def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
+    """Return a required food in its own state, as that is understood; see :func:`understood` for the arguments."""
     state, facts = one.state, _facts(one, known)
     plain = _plain_leaf(one.object, facts, state, known)
     want = Want(number, one.object, state, facts, (plain,) if plain else (), facts.sold_in)
+    # first what no table of states can know (a crude word, a foam), then sold so, then by heat, then by hand or nobody
     other = _misread(want) or _foamed(want, known.foods.food(one.object))
     if other is not None or not state:
         return other or want
@@ -311,6 +313,7 @@ def _plain_leaf(label: str, facts: Food, asked: str, known: Tables) -> str:
     row = known.state(asked)
     if asked in word_list("is so by a grater") and _is_grated_off(label, facts, known):
         return "whole"
+    # as whom the word of its state makes it: "pepper" is a vegetable when it is whole, and a spice when it is ground
     candidates = [facts.sold_as, "whole", "whole veg", "raw", "fresh", "ground"]
     if row.sold or not (row.earns or row.fine or row.half):
         candidates.append(asked)

@@ -12,7 +12,7 @@ from collections.abc import Hashable, Iterable, Iterator, Sequence
 
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.integration.teaching.frames import Frame, Line, Slot, Stage
-from foon_kg.integration.teaching.lines import WORK, Cluster, distinct, joined, told_of
+from foon_kg.integration.teaching.lines import WORK, Cluster, distinct, joined, place_told
 from foon_kg.integration.teaching.played import Place, Played, compact
 from foon_kg.model import FunctionalUnit, ObjectNode
 from foon_kg.world import Happening, Part
@@ -56,6 +56,7 @@ class _Derivation:
         line = self._followed(parts, last).line(last)
         if not line.stages:
             return None
+        # foods that the dish has and the frame has not: the choice of a frame counts them against it
         weak = (*_lost(goal, line, self.known), *self._mixed(parts.values()))
         return Frame(goal, dish_type, video, line, weak)
 
@@ -136,17 +137,17 @@ class _Derivation:
         if happening.does("heat") and not self.played.heated[step].isdisjoint(cluster.parts):
             cluster.cooked.append(happening.step.motion)
         if now is not None and (was is None or was.vessel != now.vessel):
-            cluster.brought = (*_tells(happening), was.vessel if was is not None else "")
+            cluster.brought = (*_motion_of(happening), was.vessel if was is not None else "")
 
     def _met(self, group: list[Cluster], parts: dict[int, Part], step: int) -> Cluster:
         """Return clusters that meet in a step as one: that which stays where it is, with what waits to be worked in."""
         first = self._receiver(group, parts, step)
         others = [cluster for cluster in group if cluster is not first]
-        told = _tells(self.played.happenings[step])
+        motion = _motion_of(self.played.happenings[step])
         adds: list[Slot | Line] = [first.slot(parts, self.known, first.brought)] if first.is_untouched else []
         for cluster in others:
             if cluster.is_untouched:
-                adds.append(cluster.slot(parts, self.known, (*told, cluster.vessel)))
+                adds.append(cluster.slot(parts, self.known, (*motion, cluster.vessel)))
             else:
                 adds += joined(cluster.line(step))
         first.waiting = distinct([*first.waiting, *adds], first.stages, self.played.fetched, self.known)
@@ -156,6 +157,7 @@ class _Derivation:
     def _receiver(self, group: list[Cluster], parts: dict[int, Part], step: int) -> Cluster:
         """Return the cluster that stays where it is while others come to it."""
 
+        # what stays in its vessel, else the greater part, else what was there first
         def order(cluster: Cluster) -> tuple[bool, int, int, int]:
             place = self.played.place_of(parts[min(cluster.parts)], step)
             stays = place is not None and bool(cluster.vessel) and cluster.vessel == place.vessel
@@ -166,14 +168,14 @@ class _Derivation:
 
     def _stage(self, cluster: Cluster, happening: Happening, place: Place | None, step: int) -> Stage:
         """Return what a step does to a cluster, which is at ``place`` then, and to what waits to be worked in."""
-        motion, tools = _tells(happening)
+        motion, tools = _motion_of(happening)
         appliance, source = _appliance(happening, place, self.known) if _works(happening) else ("", "")
         does = happening.motion.does
         if source == "heat" and place is not None and self._is_stirred_hot(happening, place, step):
             does |= {"heat"}  # what is stirred over a fire cooks, though nobody noted the cooking
         bath = self._bath(cluster, happening) if "liquid" in does else []
         adds = (*bath, *cluster.waiting)
-        vessel, relation, label, states = told_of(place)
+        vessel, relation, label, states = place_told(place)
         return Stage(adds, motion, does, tools, vessel, relation, appliance, source, label, states, step)
 
     def _is_stirred_hot(self, happening: Happening, place: Place, step: int) -> bool:
@@ -218,7 +220,8 @@ def _works(happening: Happening) -> bool:
     return not happening.motion.does.isdisjoint(WORK)
 
 
-def _tells(happening: Happening) -> tuple[str, tuple[str, ...]]:
+def _motion_of(happening: Happening) -> tuple[str, tuple[str, ...]]:
+    """Return the motion of a step and the labels of its tools, sorted: a :data:`~.operators.Way`."""
     return happening.step.motion, tuple(sorted(singular(node.label) for node in happening.tools))
 
 

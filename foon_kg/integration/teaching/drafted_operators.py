@@ -26,33 +26,34 @@ class DraftedOperators(Operators):
 
     def __init__(self, videos: Iterable[KnownUnit], drafts: Iterable[KnownUnit], known: Tables) -> None:
         super().__init__(videos, known)
-        told = Operators(drafts, known)
-        for own, others in ((self.evidence, told.evidence), (self.acts, told.acts)):
+        drafted = Operators(drafts, known)
+        for own, others in ((self.evidence, drafted.evidence), (self.acts, drafted.acts)):
             for way, evidence in others.items():
                 self._fill(own[way], evidence)
-        _fill_counts(self.giving, told.giving)
-        _fill_counts(self.bringing, told.bringing)
-        _fill_counts(self.onto, told.onto)
-        listed = {food for food in told.foods if known.foods.is_listed(food)}
+        _fill_counts(self.giving, drafted.giving)
+        _fill_counts(self.bringing, drafted.bringing)
+        _fill_counts(self.onto, drafted.onto)
+        listed = {food for food in drafted.foods if known.foods.is_listed(food)}
         self.foods |= listed
-        for name, states in told.states.items():
+        for name, states in drafted.states.items():
             if name in listed or name.startswith("kind:"):
                 self.states[name].update(states)
 
-    def _fill(self, own: Evidence, told: Evidence) -> None:
-        for food in sorted(told.foods.keys() - own.foods.keys()):
+    def _fill(self, own: Evidence, drafted: Evidence) -> None:
+        for food in sorted(drafted.foods.keys() - own.foods.keys()):
             if self.known.foods.is_listed(food):
-                own.foods[food] = told.foods[food]
-                own.often[food] = told.often[food]
-        for kind in sorted(told.kinds.keys() - own.kinds.keys()):
-            own.kinds[kind] = told.kinds[kind]
+                own.foods[food] = drafted.foods[food]
+                own.often[food] = drafted.often[food]
+        for kind in sorted(drafted.kinds.keys() - own.kinds.keys()):
+            own.kinds[kind] = drafted.kinds[kind]
         if not own.all:
-            own.all, own.count = told.all, told.count
+            own.all, own.count = drafted.all, drafted.count
         if not own.appliances:
-            own.appliances.update(told.appliances)
+            own.appliances.update(drafted.appliances)
 
 
-def _fill_counts(own: dict[K, Counter[W]], told: dict[K, Counter[W]]) -> None:
+def _fill_counts(own: dict[K, Counter[W]], drafted: dict[K, Counter[W]]) -> None:
     """Take over the counts of what no video shows."""
-    for key in told.keys() - own.keys():
-        own[key] = told[key]
+    for key, counts in drafted.items():
+        if key not in own:
+            own[key] = counts

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -57,6 +57,14 @@ class Stage:
         return (add for add in self.adds if isinstance(add, Slot))
 
 
+def place_among(stages: Sequence[Stage], stage: Stage) -> int | None:
+    """Return the place of this very ``stage`` among ``stages``, ``None`` where it is none of them.
+
+    Not by ``index``: what is fried on both sides has two stages that are equal.
+    """
+    return next((place for place, one in enumerate(stages) if one is stage), None)
+
+
 @dataclass(frozen=True)
 class Phase(Stage):
     """A stage of a vessel over the heat of which nothing but the place is the video's: the plan orders its foods.
@@ -100,7 +108,10 @@ class Line:
 
 @dataclass(frozen=True)
 class Frame:
-    """How the dish ``goal`` is made in the video ``video``."""
+    """How the dish ``goal`` is made in the video ``video``.
+
+    ``weak`` are the foods of the goal that could not be followed through the video, so that they have no slot.
+    """
 
     goal: ObjectNode
     dish_type: str

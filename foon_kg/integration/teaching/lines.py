@@ -16,7 +16,13 @@ from foon_kg.world import Part
 WORK = frozenset({
     "blend", "coat", "cut", "heat", "knead", "mash", "mix", "shape", "turn", "wait", "warm", "whip",
 })  # fmt: skip
+"""What motions do (:class:`~foon_kg.food.rows.Motion`) that makes a stage of a step.
+
+What only brings food somewhere (fetch, move, scatter), parts one from another (open, peel, separate) or says how
+something is heated (dry, fat, liquid) makes none."""
+
 _MAKES = WORK - {"cut", "turn"}
+"""What makes one thing of several foods: cut or turned over together they stay what they are."""
 
 Brought = tuple[str, tuple[str, ...], str]
 """How a food was brought: the motion, its tools, and out of which vessel."""
@@ -24,7 +30,11 @@ Brought = tuple[str, tuple[str, ...], str]
 
 @dataclass(eq=False)
 class Cluster:
-    """Parts that stay together from now on."""
+    """Parts of matter (by their numbers) that stay together from some step on: a line as it grows.
+
+    ``stages`` are what was done to it so far, ``waiting`` what joined since the last of them. ``cooked`` are the
+    motions that cooked it while it was one food by itself, ``brought`` is how it came to its ``place``.
+    """
 
     parts: frozenset[int]
     stages: list[Stage] = field(default_factory=list)
@@ -54,23 +64,23 @@ class Cluster:
         return Slot(part.name, kind, states, tuple(dict.fromkeys(self.cooked)), *brought)
 
     def line(self, step: int) -> Line:
-        """Return it as the line that it is after a step."""
+        """Return it as the line that it is after the step of that number; what still waits joins at a last stage."""
         stages = list(self.stages)
         if self.waiting:
             adds = tuple(self.waiting)
-            vessel, relation, label, states = told_of(self.place)
+            vessel, relation, label, states = place_told(self.place)
             stages.append(Stage(adds, "", frozenset(), (), vessel, relation, "", "", label, states, step))
         last = stages[-1:] if stages and _only_moves(stages[-1]) else []
         return Line((*_without_detours(stages[: len(stages) - len(last)]), *last))
 
 
-def told_of(place: Place | None) -> tuple[str, str, str, tuple[str, ...]]:
+def place_told(place: Place | None) -> tuple[str, str, str, tuple[str, ...]]:
     """Return the vessel of a place and how things are there, and what they are called with their states."""
     return (place.vessel, place.relation, place.label, place.states) if place is not None else ("", "in", "", ())
 
 
 def joined(line: Line) -> list[Slot | Line]:
-    """Return what joins where a line does: itself, or its foods where they only were cut together."""
+    """Return what joins where ``line`` does: itself, or its foods where they were only cut on one board."""
     if any(not stage.does.isdisjoint(_MAKES) for stage in line.stages):
         return [line]
     return [add for stage in line.stages for add in stage.adds]

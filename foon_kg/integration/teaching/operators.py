@@ -10,32 +10,34 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
-from functools import cached_property, lru_cache
+from functools import cached_property
 
-from foon_kg.food import Food, Tables, tables
+from foon_kg.food import Tables, tables
 from foon_kg.food.lists import word_list
+from foon_kg.integration.teaching.forms import form_of
 from foon_kg.model import UNMEASURED, KnownUnit, Sighting
 from foon_kg.model.recent import Recent
 from foon_kg.world.reading import Reader, Said, reader
 
 MOST_SIGHTINGS = 3
-"""How many units are named as evidence of one step."""
+"""How many units are named as evidence of one step: enough to look one up, and few enough to keep in the graph."""
 
 LIKE_AT_ALL = 0.3
 """From this confidence on it means something that one unlike food is less unlike than another."""
 
 LEAST_SHARE = 0.04
-"""A way of which fewer of the units that bring food of a form are is no usual one."""
+"""A way is usual if at least this share of the units that bring food of a form bring it so.
+
+One odd annotation in 25 (liquid that is "picked and placed") makes no way that others follow."""
 
 MOST_KEPT = 1024
-"""For how many states it is kept who gives them."""
+"""For how many states it is kept which ways give them: people may ask for any word as a state."""
 
 Way = tuple[str, tuple[str, ...]]
 """A motion and the labels of its tools, sorted."""
 
 Likes = Callable[[str], Sequence[tuple[str, float]]]
 """The known foods that can stand for a food, best first, each with its confidence."""
-
 
 Alike = Callable[[str, str], float]
 """How sure a cook is to accept a known food (the second) for another one (the first), 0 to 1."""
@@ -57,7 +59,10 @@ class Nearness(IntEnum):
 
 @dataclass(frozen=True)
 class Attested:
-    """A way of doing something, and where units attest it. ``like`` is (food, equivalent, confidence) if any is."""
+    """A way of doing something, and the units that attest it.
+
+    ``like`` is (food, equivalent, confidence) where the evidence is that of another food which stands for it.
+    """
 
     way: Way
     nearness: Nearness
@@ -66,7 +71,7 @@ class Attested:
 
     @cached_property
     def seen_in(self) -> tuple[Sighting, ...]:
-        """The first of the sightings: what is named as evidence. Many ways are attested, and few are taken."""
+        """The first of the sightings: what is named as evidence; kept, as sorting costs and few ways are taken."""
         return tuple(_first(self.sightings))
 
 
@@ -102,7 +107,13 @@ class Evidence:
 
 
 class Operators:
-    """The operators of a FOON. ``units`` may come in any order; what is kept does not depend on it."""
+    """The operators of a FOON. ``units`` may come in any order; what is kept does not depend on it (contract C9).
+
+    ``evidence`` has for each way the units that do so, ``acts`` of these the ones that change a food by it. ``giving``
+    counts by state the ways that give it; ``bringing`` by food, kind or form, and by the role of what that comes out
+    of, the ways that bring it; ``onto`` by way the vessels in or on which things are then. ``states`` are those in
+    which a food or kind is seen, ``foods`` all foods that are.
+    """
 
     def __init__(self, units: Iterable[KnownUnit], known: Tables | None = None) -> None:
         self.known = known or tables()
@@ -176,6 +187,7 @@ class Operators:
             self.giving[state.lower()][way] += 1
         if said.place == was.place or said.place_utensil is None:
             return
+        # by its own name, its kind and its form: the fewer units know a food, the broader the name that answers for it
         kind = self.known.foods.food(said.label, was.node.states).kind
         form = form_of(self.known, said.label, was.node.states)
         role = was.place_utensil.role if was.place_utensil is not None else ""
@@ -187,6 +199,7 @@ class Operators:
 
         All that does not depend on single foods is shared with these, and worked out once.
         """
+        # what is read of single foods is copied, for one recipe; the rest is the same object, which nobody changes
         found = Operators((), self.known)
         found.giving, found.onto = self.giving, self.onto
         found._making, found._fine, found._brings = self._making, self._fine, self._brings
@@ -243,6 +256,7 @@ class Operators:
         evidence = self._evidence(way, act=act)
         if evidence is None or not foods or not evidence.foods:
             return None
+        # equally alike ones are ordered by their names, so that the same question has the same answer
         sure, food, known = max((alike(food, known), food, known) for food in foods for known in evidence.foods)
         if sure < LIKE_AT_ALL:
             usual = min(evidence.often, key=lambda name: (-evidence.often[name], name))
@@ -280,7 +294,10 @@ class Operators:
         return evidence.count if evidence is not None else 0
 
     def making(self, state: str) -> tuple[Way, ...]:
-        """Return the ways that give a state in this FOON, the most frequent first, then those that can."""
+        """Return the ways that give ``state`` in this FOON, the most frequent first, then those that can.
+
+        Of the latter those come first that make pieces as fine as ``state`` says.
+        """
         found = self._making.find(state)
         if found is None:
             found = self._making[state] = tuple(self._ways_making(state))
@@ -345,39 +362,8 @@ def _first_alike(evidence: Evidence, foods: Sequence[str], likes: Likes) -> tupl
     return None
 
 
-_MASH = 5
 _HANDS = word_list("bare hands")
-_SOLD_SOFT = frozenset({"creamy", "paste", "sauce", "jelly", "thick liquid", "thick sauce", "whipped"})
-_SOLD_FINE = frozenset({"ground", "granulated", "powder", "dried"})
-
-
-def is_liquid_fat(facts: Food) -> bool:
-    """Return whether a food of these ``facts`` is fat that runs as it is sold: what is fried in it stays apart."""
-    return facts.is_a("fat") and facts.is_a("liquid")
-
-
-@lru_cache(maxsize=1 << 14)
-def form_of(known: Tables, label: str, states: tuple[str, ...]) -> str:
-    """Return how a food called ``label`` in ``states`` is handled: liquid, powder, soft, pieces or whole.
-
-    ``known`` are the tables.
-    """
-    facts = known.foods.food(label, states)
-    if _runs(facts, states):
-        return "liquid"
-    if facts.is_a("creamy") or facts.sold_as in _SOLD_SOFT:
-        return "soft"
-    if facts.is_a("spice", "leaven", "flour", "sweet", "stock") and facts.sold_as in _SOLD_FINE:
-        return "powder"
-    finest = max((known.state(state).fineness for state in states), default=0)
-    if finest >= _MASH:
-        return "soft"
-    return "pieces" if finest > 0 or facts.is_a("stock") else "whole"
-
-
-def _runs(facts: Food, states: Sequence[str]) -> bool:
-    told = not word_list("runs").isdisjoint(states)
-    return told or facts.is_a("liquid", "water", *word_list("runs out of its can"))
+"""What annotators name as a tool where there is none."""
 
 
 def _tools_of(inputs: Iterable[Said]) -> tuple[str, ...]:

@@ -20,7 +20,12 @@ _FLAT = word_list("flat utensils")
 
 @dataclass(frozen=True)
 class Place:
-    """Where a part is after a step: what tells its place from others, the lump it is in, and that lump's vessel."""
+    """Where a part is after a step.
+
+    ``key`` tells its place from others: two parts with the same one have met. ``label`` and ``states`` are those of the
+    ``lump`` that it is in; that is in or on (``relation``) a ``vessel``, which ``stands`` on or in an appliance; ``""``
+    for none.
+    """
 
     key: Hashable
     lump: Lump
@@ -45,7 +50,7 @@ class Played:
         self.over_heat: list[frozenset[str]] = []
         self._places: list[dict[int, Place]] = []
         self._numbers: dict[Part, int] = {}
-        self._found: dict[tuple[int, int], Place | None] = {}
+        self._portion_places: dict[tuple[int, int], Place | None] = {}
         for unit in units:
             step = self.world.play(Step.of(unit.input_nodes, unit.motion, unit.output_nodes)).number
             self._places.append(self._places_now())
@@ -112,9 +117,9 @@ class Played:
         found = self._places[step].get(number)
         if found is not None:
             return found
-        if (number, step) not in self._found:
-            self._found[number, step] = self._portion_of(part, step)
-        return self._found[number, step]
+        if (number, step) not in self._portion_places:
+            self._portion_places[number, step] = self._portion_of(part, step)
+        return self._portion_places[number, step]
 
     def _portion_of(self, part: Part, step: int) -> Place | None:
         there = self._places[step]
