@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders.muhai import read_muhai
 from foon_kg.loaders.narrations import read_narrations
 from foon_kg.loaders.paths import read_paths

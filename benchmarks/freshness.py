@@ -26,7 +26,7 @@ from pathlib import Path
 
 import psutil
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model import Subgraph
 from foon_kg.store.graph import Connection, Neo4jGraph, load

@@ -43,7 +43,7 @@ RUN = 6
 AT_THE_DOORS = ("cli", "web")
 """The rooms that are asked to call the front door."""
 
-FREE = ("model", "food", "foon", "formats", "data", "demo", "docs", "plans", "validation", "loaders", "cypher")
+FREE = ("model", "food", "foon", "formats", "docs", "plans", "validation", "loaders", "cypher")
 """The rooms whose values and files anybody may speak of: they answer no question of a FOON."""
 
 
@@ -225,7 +225,7 @@ def way() -> tuple[list[str], int]:
     program = """
 import sys
 from foon_kg.cli import main
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 import foon_kg.model.tree as tree
 calls = 0
 def watch(frame, event, _):

@@ -18,7 +18,7 @@ import subprocess
 import sys
 from dataclasses import dataclass
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 
 NOBODY = "bolt://127.0.0.1:1"
 MARK = "modules at the end:"

@@ -33,7 +33,7 @@ from foon_kg.store.snapshot import Snapshot
 
 ROOT = Path(__file__).parents[1]
 SHARED = ROOT.parent / "shared" / "data"
-WEIGHTS = ROOT / "foon_kg" / "data" / "similarity.json"
+WEIGHTS = ROOT / "foon_kg" / "similarity" / "similarity.json"
 DECIMALS = 4
 RIDGE = 1.0
 AFTERWARDS = "judged afterwards"

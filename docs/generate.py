@@ -22,7 +22,7 @@ from rich.console import Console
 
 from foon_kg import Foon
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.formats.views.tree import plan_view
 from foon_kg.model.errors import FoonError
 from foon_kg.planning.batch import Question

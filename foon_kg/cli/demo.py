@@ -63,14 +63,14 @@ def _load(foon: Foon, say: Say) -> None:
 
 def demo_subgraphs() -> list[Subgraph]:
     """Read the demo's FOON, sorted by name."""
-    from foon_kg.demo import demo_folder
+    from foon_kg.foon.demo import demo_folder
     from foon_kg.loaders import read_paths
 
     return [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
 
 
 def _planned(foon: Foon, say: Say) -> PlanResult:
-    from foon_kg.demo import demo_recipes
+    from foon_kg.foon.demo import demo_recipes
     from foon_kg.model.errors import FoonError
     from foon_kg.planning.batch import Question
     from foon_kg.planning.recipes import read_recipe

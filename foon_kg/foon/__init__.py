@@ -1,7 +1,7 @@
 """The front door: a FOON to ask, from Python.
 
 >>> from foon_kg import Foon
->>> from foon_kg.demo import demo_folder
+>>> from foon_kg.foon.demo import demo_folder
 >>> foon = Foon.from_files(demo_folder())
 >>> plan = foon.plan("salad", ["chopped onion", "diced tomato", "olive oil"])
 >>> print(plan.steps[1].text)

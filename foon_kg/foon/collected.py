@@ -105,7 +105,7 @@ class Collected(Opened):
         where the collection names no food. ``stored`` is told of each transaction when it is safe, ``understood`` each
         recipe that was read, ``left_over`` those with lines in which no food was found.
 
-        >>> from foon_kg.demo import demo_recipes
+        >>> from foon_kg.foon.demo import demo_recipes
         >>> from foon_kg.loaders.recipe_collections import RecipeCollections
         >>> with RecipeCollections(demo_recipes(), print) as recipes:
         ...     foon.store_recipes(recipes).unchanged

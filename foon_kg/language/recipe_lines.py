@@ -2,8 +2,8 @@
 
 Plain lines are read by rules (``foon_kg.language.plain_lines``), all others by ingredient-parser-nlp (the extra
 ``recipes``), a model trained on 81,000 lines. It wants NLTK's tagger of parts of speech, which must be downloaded; a
-small one of our own in the same form (``data/nltk_data``: word endings and the commonest words) stands in its place, so
-that nothing is fetched and every machine reads alike.
+small one of our own in the same form stands in its place (``nltk_data`` beside this module: word endings and the
+commonest words), so that nothing is fetched and every machine reads alike.
 """
 
 from __future__ import annotations
@@ -204,7 +204,7 @@ def _parser() -> Callable[..., Any]:
     try:
         import nltk.data  # noqa: PLC0415 - a second of import, only when lines are read
 
-        nltk.data.path.insert(0, str(files("foon_kg.data").joinpath("nltk_data")))
+        nltk.data.path.insert(0, str(files("foon_kg.language").joinpath("nltk_data")))
         from ingredient_parser import parse_ingredient  # noqa: PLC0415 - the same
     except ImportError as error:
         raise _missing_parser() from error

@@ -1,4 +1,4 @@
-"""Which of the 30 dish classes a recipe belongs to, by the words of its title (``data/dish-classes.txt``).
+"""Which of the 30 dish classes a recipe belongs to, by the words of its title (``dish-classes.txt``).
 
 English names a dish by its last noun: a chicken noodle soup is a soup, and chicken and noodle say what kind. What comes
 after ``with``, ``in`` or a comma stands beside the dish. So of all classes that a title names, the last one of its main
@@ -76,7 +76,7 @@ def _named(text: str) -> Iterator[tuple[str, ...]]:
 def _phrases() -> tuple[dict[str, tuple[str, ...]], int]:
     """Return the classes of each phrase, in the order of the file, and the number of words of the longest."""
     phrases: dict[str, tuple[str, ...]] = {}
-    for line in files("foon_kg.data").joinpath("dish-classes.txt").read_text(encoding="utf-8").splitlines():
+    for line in files("foon_kg.model").joinpath("dish-classes.txt").read_text(encoding="utf-8").splitlines():
         if not line.strip() or line.startswith("#"):
             continue
         name, listed = (_NO_CLASS, line[1:]) if line.startswith(_NO_CLASS) else _entry(line)

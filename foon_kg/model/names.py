@@ -1,7 +1,7 @@
 """One name for one thing: what a label, a member of ``{}`` and a recipe word are compared by.
 
 A name keeps being shown as it was written; ``canonical`` is only what it is compared by. The table of synonyms and
-typing errors is ``data/aliases.txt``; people add their own lines in a file named by ``FOON_KG_ALIASES``.
+typing errors is ``aliases.txt`` beside this module; people add their own lines in a file named by ``FOON_KG_ALIASES``.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def alias_table(own_file: str = "") -> AliasTable:
 
     Raises ReadError where that file cannot be read, with the line where one of its lines cannot.
     """
-    shipped = files("foon_kg.data").joinpath("aliases.txt").read_text(encoding="utf-8")
+    shipped = files("foon_kg.model").joinpath("aliases.txt").read_text(encoding="utf-8")
     table = _read(shipped.splitlines(), "aliases.txt", AliasTable({}, {}, frozenset()))
     if not own_file:
         return table

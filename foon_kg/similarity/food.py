@@ -2,7 +2,7 @@
 
 ``confidence = 0.99 / (1 + exp(-(bias + sum of weight * evidence)))``, a logistic regression on pairs of foods that were
 judged as a cook would, stretched so that what is *told* (the first five of a food) is accepted as often as is said.
-``benchmarks/similarity.py`` fits the weights (``data/similarity.json``) and measures them on halves that they were not
+``benchmarks/similarity.py`` fits the weights (``similarity.json``) and measures them on halves that they were not
 fitted on: of what was told at 0.9 or more 97 % were accepted, at 0.5 to 0.7 54 %, at 0.1 to 0.3 18 %. So 0.5 means: as
 likely as not, a cook would accept the known food. Below :data:`~foon_kg.similarity.answers.LEAST` nothing is like it,
 and the confidence is 0. Of a name with a word that no recipe and no table has ("floober sauce") nothing is sure. Equal
@@ -176,7 +176,7 @@ def confidence_of(odds: Table) -> Confidences:
 @lru_cache(maxsize=1)
 def food_similarity() -> FoodSimilarity:
     """Return the default similarity, made once (some 0.1 s)."""
-    fitted = json.loads(files("foon_kg.data").joinpath("similarity.json").read_text(encoding="utf-8"))
+    fitted = json.loads(files("foon_kg.similarity").joinpath("similarity.json").read_text(encoding="utf-8"))
     weights = np.array([fitted["weights"][kind] for kind in KINDS])
     slot = fitted["in a slot"]["slope"], fitted["in a slot"]["bias"]
     return FoodSimilarity(Evidence(food_vectors(), food_taxonomy(), food_groups()), weights, fitted["bias"], slot)

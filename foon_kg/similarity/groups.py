@@ -1,4 +1,4 @@
-"""Foods by what cooks use them for: the groups and shelves of ``data/food-groups.txt``.
+"""Foods by what cooks use them for: the groups and shelves of ``food-groups.txt``.
 
 A food that the table does not list is placed by its last words, or else by the listed foods nearest to it.
 """
@@ -103,7 +103,7 @@ class FoodGroups:
 @lru_cache(maxsize=1)
 def food_groups() -> FoodGroups:
     """Return the groups that ship with foon-kg, read once."""
-    text = files("foon_kg.data").joinpath("food-groups.txt").read_text(encoding="utf-8")
+    text = files("foon_kg.similarity").joinpath("food-groups.txt").read_text(encoding="utf-8")
     lines = [line.partition(":") for line in text.splitlines() if line and not line.startswith("#")]
     members = [sorted(set(map(canonical, foods.split(",")))) for _, _, foods in lines]
     foods = sorted(set().union(*members))

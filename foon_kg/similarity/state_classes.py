@@ -1,4 +1,4 @@
-"""The table of the twelve classes of states (``data/states.json``), and where it puts a state that it does not list.
+"""The table of the twelve classes of states (``states.json``), and where it puts a state that it does not list.
 
 Another table of the same form may be named in ``FOON_KG_STATES``.
 """
@@ -100,12 +100,12 @@ def _read(path: str) -> StateClasses:
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise ReadError(
             f"{path}: not a table of state classes: {error!r}",
-            hint="Take the form of foon_kg/data/states.json: classes, adverbs, places.",
+            hint="Take the form of foon_kg/similarity/states.json: classes, adverbs, places.",
         ) from error
 
 
 def _shipped() -> str:
-    return files("foon_kg.data").joinpath("states.json").read_text(encoding="utf-8")
+    return files("foon_kg.similarity").joinpath("states.json").read_text(encoding="utf-8")
 
 
 def _parsed(document: dict[str, Any]) -> StateClasses:

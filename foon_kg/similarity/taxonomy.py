@@ -64,7 +64,7 @@ class FoodTaxonomy:
 @lru_cache(maxsize=1)
 def food_taxonomy() -> FoodTaxonomy:
     """Return the kinds that ship with foon-kg, read once."""
-    text = files("foon_kg.data").joinpath("food-taxonomy.txt").read_text(encoding="utf-8")
+    text = files("foon_kg.similarity").joinpath("food-taxonomy.txt").read_text(encoding="utf-8")
     parents: list[list[int]] = []
     names: list[str] = []
     meanings: dict[str, list[int]] = {}

@@ -1,4 +1,4 @@
-"""Food words as vectors: a GloVe of 35 numbers a word stem, learnt from recipes (``data/food-vectors.npz``)."""
+"""Food words as vectors: a GloVe of 35 numbers a word stem, learnt from recipes (``food-vectors.npz``)."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class FoodVectors:
 @lru_cache(maxsize=1)
 def food_vectors() -> FoodVectors:
     """Return the vectors that ship with foon-kg, read once."""
-    path = files("foon_kg.data").joinpath("food-vectors.npz")
+    path = files("foon_kg.similarity").joinpath("food-vectors.npz")
     with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
         stems = archive["stems"].tobytes().decode().split("\n")
         return FoodVectors(archive["vectors"].astype(np.float64), {s: place for place, s in enumerate(stems)})

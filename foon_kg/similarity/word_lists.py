@@ -13,7 +13,13 @@ from foon_kg.model.names import ALIASES_VARIABLE, alias_table
 from foon_kg.similarity.forms import FORM_LISTS
 
 _FORM = "4"  # of the points and of the names beside them; a change of the code that makes them changes it
-_WORD_LISTS = ("aliases.txt", "food-groups.txt", "food-taxonomy.txt", "food-vectors.npz")
+_WORD_LISTS = (
+    ("foon_kg.model", "aliases.txt"),
+    ("foon_kg.similarity", "food-groups.txt"),
+    ("foon_kg.similarity", "food-taxonomy.txt"),
+    ("foon_kg.similarity", "food-vectors.npz"),
+)
+"""The files: the package that each lies in, and its name."""
 
 
 def word_lists_key() -> str:
@@ -28,7 +34,7 @@ def word_lists_key() -> str:
 
 @cache
 def _word_lists_key(own_aliases: bytes) -> str:
-    lists = (files("foon_kg.data").joinpath(name).read_bytes() for name in _WORD_LISTS)
+    lists = (files(package).joinpath(name).read_bytes() for package, name in _WORD_LISTS)
     digest = hashlib.blake2b(_FORM.encode(), digest_size=16)
     for name in FORM_LISTS:
         digest.update("\n".join((name, *sorted(word_list(name)))).encode())

@@ -9,8 +9,8 @@ from __future__ import annotations
 from contextlib import closing, suppress
 from itertools import islice
 
-from foon_kg.demo import demo_folder
 from foon_kg.foon import Foon
+from foon_kg.foon.demo import demo_folder
 from foon_kg.planning.processes import keep_for_good
 from foon_kg.web.foon import Served
 from foon_kg.web.planning import PlanningDesk

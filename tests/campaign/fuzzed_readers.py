@@ -11,7 +11,7 @@ from kitchen_stories import SALAD, subgraph
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.language.reviewing import Review
 from foon_kg.loaders import read_json, read_paths, read_weights, write_json
 from foon_kg.loaders.lessons import lessons_of, read_drafted

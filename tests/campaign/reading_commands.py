@@ -13,7 +13,7 @@ from pathlib import Path
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.foon.demo import demo_folder, demo_recipes
 
 MEMORY = 6_000_000_000
 FILES = ("--files", str(demo_folder()))

@@ -20,7 +20,7 @@ from campaign.writing_process import on_a_harmed_disk
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.foon.demo import demo_folder, demo_recipes
 
 pytestmark = pytest.mark.slow
 

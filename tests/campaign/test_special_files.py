@@ -15,7 +15,7 @@ from typer.main import get_command
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 
 pytestmark = pytest.mark.slow
 

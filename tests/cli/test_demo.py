@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 from foon_kg.cli import app
 from foon_kg.cli.demo import NEXT, RECIPE, demo_subgraphs
-from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.plans.result import PlanResult
 from foon_kg.store import server
 

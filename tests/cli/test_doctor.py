@@ -13,7 +13,7 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model.errors import GraphError, ServerError
 from foon_kg.store import doctor

@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 from foon_kg import __version__
 from foon_kg.cli import app
 from foon_kg.cli.console import ErrorsAtTheEdge
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.model.errors import NoTreeError
 
 ROOT = Path(__file__).parents[2]

@@ -8,7 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.plans.result import PlanFailure, PlanResult
 
 SALAD = ["--dish", "salad", "chopped onion", "chopped tomato", "olive oil", "salt"]

@@ -9,7 +9,7 @@ import typer
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.foon.demo import demo_folder, demo_recipes
 
 SHORT = {"--limit": "-n", "--format": "-f", "--output": "-o", "--quiet": "-q", "--jobs": "-j", "--param": "-P"}
 SPEAKS_JSON = ("mcp",)

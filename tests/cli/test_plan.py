@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 from foon_kg.cli import app
 from foon_kg.cli.demo import demo_subgraphs
-from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.loaders import read_text
 from foon_kg.plans.result import PlanFailure, PlanResult
 

@@ -12,7 +12,7 @@ from terminals import on_a_terminal
 
 from foon_kg.cli import runs
 from foon_kg.cli.console import sayer
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.store.server.home import waiting
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a terminal is made with pty, which Windows has not")

@@ -8,7 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.plans.result import PlanResult
 
 SALAD = ["--dish", "salad", "chopped kohlrabi", "chopped tomato", "liquid olive oil", "granulated salt"]

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from foon_kg import Foon
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.loaders.lessons import lesson_of, lessons_of
 from foon_kg.model.drafted import DraftedRecipe, surest

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from methods_told import told
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model.errors import NoTreeError, SchemaError
 from foon_kg.planning.likes import FoodLikes

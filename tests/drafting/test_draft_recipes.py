@@ -8,7 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app, draft_recipes
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.language import recipe_drafts as drafting
 from foon_kg.loaders.lessons import lessons_of, read_drafted
 from foon_kg.model.errors import ReadError, UsageError

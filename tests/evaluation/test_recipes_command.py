@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.foon.demo import demo_folder, demo_recipes
 
 
 def evaluate(*arguments):

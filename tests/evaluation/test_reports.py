@@ -11,10 +11,10 @@ from chromium import chromium
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.evaluation.figures import RecipeEvaluation, RecipeFigures
 from foon_kg.evaluation.resampling import Interval
 from foon_kg.evaluation.scores import without_tree
+from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.model import Recipe, RequiredIngredient
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")

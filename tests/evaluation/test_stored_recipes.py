@@ -8,7 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.language.collection import CollectionReader
 from foon_kg.loaders import read_paths
 from foon_kg.model.collected import CollectedLine, CollectedRecipe

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 from validation.soups import SOUP, SUBGRAPHS, salad, soup, without
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import write_text
 from foon_kg.validation import RULES
 

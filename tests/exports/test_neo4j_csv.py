@@ -11,8 +11,8 @@ import pytest
 from foons import foons
 from hypothesis import given, settings
 
-from foon_kg.demo import demo_folder
 from foon_kg.food.motion_costs import MotionCosts
+from foon_kg.foon.demo import demo_folder
 from foon_kg.formats.exports.neo4j_csv import AFTER, ARGUMENTS, write_neo4j_csv
 from foon_kg.loaders import read_paths
 from foon_kg.plans.kitchen import Kitchen

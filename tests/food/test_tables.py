@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from foon_kg.demo import demo_folder
 from foon_kg.food import Match, Tables, singular, tables
 from foon_kg.food.faults import FOODS, UTENSILS, malformed, unknown_targets, words_twice
 from foon_kg.food.lists import word_list, word_lists
 from foon_kg.food.unknown import WordKind, unknown_words
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import ReadError

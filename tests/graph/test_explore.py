@@ -10,7 +10,7 @@ import pytest
 
 from foon_kg.cli.explore import explore_query, values
 from foon_kg.cypher import explore_queries
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import Connection, load

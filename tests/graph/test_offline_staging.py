@@ -7,7 +7,7 @@ from foons import foons
 from hypothesis import given, settings
 from kitchen_stories import SALAD, subgraph
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model.errors import ReadError
 from foon_kg.plans.kitchen import Kitchen

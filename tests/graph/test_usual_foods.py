@@ -7,7 +7,7 @@ import random
 import pytest
 from kitchen_stories import SALAD, subgraph
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.store.graph import load, remove
 from foon_kg.store.graph.free_cypher import ask_freely

@@ -9,7 +9,7 @@ from integration.told import KITCHEN
 from planner.judged import judge
 from planner.public_foon import public_snapshot
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from integration.told import Likes, operators_of, snapshot_of
 
-from foon_kg.demo import demo_folder
 from foon_kg.food import singular, tables
+from foon_kg.foon.demo import demo_folder
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.operators import MOST_SIGHTINGS, Nearness, Operators
 from foon_kg.loaders import read_paths

@@ -164,7 +164,7 @@ def test_the_reasons_are_told_and_the_same_food_needs_none():
 
 
 def test_the_weights_that_ship_speak_of_every_kind_of_evidence():
-    path = Path(__file__).parents[2] / "foon_kg" / "data" / "similarity.json"
+    path = Path(__file__).parents[2] / "foon_kg" / "similarity" / "similarity.json"
     assert tuple(json.loads(path.read_text(encoding="utf-8"))["weights"]) == KINDS
 
 

@@ -90,7 +90,9 @@ def test_a_word_that_nobody_knows_is_placed_with_little_confidence():
 
 
 def test_the_classes_can_be_replaced_by_a_file(tmp_path, monkeypatch):
-    table = json.loads((Path(__file__).parents[2] / "foon_kg" / "data" / "states.json").read_text(encoding="utf-8"))
+    table = json.loads(
+        (Path(__file__).parents[2] / "foon_kg" / "similarity" / "states.json").read_text(encoding="utf-8")
+    )
     table["classes"][0]["states"].append("frobbed")
     own = tmp_path / "states.json"
     own.write_text(json.dumps(table), encoding="utf-8")

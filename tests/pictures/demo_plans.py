@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 
 from foon_kg.cli.demo import demo_subgraphs
-from foon_kg.demo import demo_recipes
+from foon_kg.foon.demo import demo_recipes
 from foon_kg.planning.planner import plan
 from foon_kg.planning.recipes import IngredientWords, read_recipe
 from foon_kg.plans.kitchen import Kitchen

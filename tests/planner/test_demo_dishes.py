@@ -13,8 +13,8 @@ from planner.dishes import KITCHEN, leaf_foods
 from planner.judged import fatal, judge
 
 from foon_kg import validation
-from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.evaluation.verdicts import Verdicts
+from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner, plan

@@ -12,7 +12,7 @@ from kitchen_stories import SALAD, node, subgraph
 from planner.dishes import KITCHEN, SETTINGS, questions
 from planner.judged import fatal
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from kitchen_stories import SALAD, node, subgraph
 from planner.dishes import FRESH, KITCHEN, SOLD_IN, UNKNOWN, LikeByKind, foons
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.planning.suggestion import suggest

@@ -20,8 +20,8 @@ from integration.told import subgraphs
 from planner.judged import fatal
 
 import foon_kg
-from foon_kg.demo import demo_folder
 from foon_kg.food import singular, tables
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.views.schedule import schedule_view, summary
 from foon_kg.formats.views.shown_tree import ShownTree

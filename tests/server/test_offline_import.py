@@ -11,7 +11,7 @@ from campaign.whole_graph import whole_graph
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model.errors import UsageError
 from foon_kg.store.graph import Connection, load

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.store.graph import Connection, load
 from foon_kg.store.graph.free_cypher import ask_freely

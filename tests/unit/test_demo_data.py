@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.loaders import ReadResult, read_path
 from foon_kg.model import DISH_TYPES, FunctionalUnit, ObjectNode, Subgraph
 from foon_kg.plans.kitchen import Kitchen, singular

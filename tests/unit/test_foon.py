@@ -14,9 +14,9 @@ import pytest
 
 import foon_kg
 from foon_kg import Foon, foon
-from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.foon import answering, changing, collected, drafting, evaluating, opened, plan
+from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.loaders import read_paths
 from foon_kg.loaders.recipe_collections import RecipeCollections
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError

@@ -16,7 +16,7 @@ PACKAGE = Path(__file__).parents[2] / "foon_kg"
 AT_THE_DOOR = sorted([*(PACKAGE / "cli").rglob("*.py"), *(PACKAGE / "web").rglob("*.py")])
 
 VALUES = {
-    "model", "food", "foon", "formats", "data", "demo", "docs", "plans", "cypher", "loaders", "cli", "web",
+    "model", "food", "foon", "formats", "docs", "plans", "cypher", "loaders", "cli", "web",
     "validation.contract",
 }  # fmt: skip
 """What a question is made of and an answer is told with: values, tables, files, forms of telling."""

@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.model.regular_files import open_regular, read_bytes, read_text
 
 FILES = ("--files", str(demo_folder()))  # else a command would start the Neo4j of whoever runs the tests

@@ -23,7 +23,7 @@ PACKAGED = {"foon_kg": "foon_kg", "loaders": "foon_kg/loaders", "cypher": "foon_
 
 PYTHON = Path("Scripts/python.exe" if os.name == "nt" else "bin/python")
 FOON = ("-I", "-m", "foon_kg")  # isolated: nothing of the tests' own environment, nor of the folder they run in
-DEMO = "from foon_kg.demo import demo_folder; print(demo_folder())"
+DEMO = "from foon_kg.foon.demo import demo_folder; print(demo_folder())"
 PLAN = ("plan", "--dish", "salad", "chopped onion", "olive oil")
 HELLO = {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "test", "version": "1"}}
 

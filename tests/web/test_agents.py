@@ -13,7 +13,7 @@ from mcp import Client, StdioServerParameters
 from pictures.demo_plans import demo_foon
 
 from foon_kg import Foon
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders.lessons import lessons_of
 from foon_kg.model.errors import WriteRefused
 from foon_kg.web.agents import agent_server

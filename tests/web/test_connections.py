@@ -14,7 +14,7 @@ import httpx
 import pytest
 from web.serving import PLENTY, app, served
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.web.callers import Callers, proxy_network
 
 PROGRAM = "import sys; from foon_kg.cli import main; sys.exit(main())"

@@ -12,7 +12,7 @@ from web.serving import app, served
 
 from foon_kg.cli.console import json_line
 from foon_kg.cli.serve import served_foon
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import lessons
 from foon_kg.loaders.lessons import lessons_of
 from foon_kg.web.foon import FixedFoon

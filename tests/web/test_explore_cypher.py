@@ -13,7 +13,7 @@ from foon_kg import Foon
 from foon_kg.cli import app as command_line
 from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.cypher import explore_queries
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.model.errors import GraphError, WriteRefused
 from foon_kg.store.graph import Connection, load
 from foon_kg.store.graph.free_cypher import ask_freely

@@ -14,7 +14,7 @@ import psutil
 import pytest
 from web.serving import SALAD
 
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 
 PROGRAM = "import sys; from foon_kg.cli import main; sys.exit(main())"
 FORKS = "forkserver" in multiprocessing.get_all_start_methods()
@@ -22,7 +22,7 @@ FORKS = "forkserver" in multiprocessing.get_all_start_methods()
 
 BREAKS = """
 import pathlib, sys
-from foon_kg import demo
+from foon_kg.foon import demo
 
 def broken():
     pathlib.Path(__file__).with_name("it broke").touch()

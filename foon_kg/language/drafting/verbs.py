@@ -1,6 +1,6 @@
 """Which motions of a FOON a verb may stand for: the same words, the same stems, a table of what people say, a likeness.
 
-The table is ``data/verbs.txt``.
+The table is ``verbs.txt`` beside this module.
 """
 
 from __future__ import annotations
@@ -148,7 +148,7 @@ def _stems(text: str) -> str:
 @lru_cache(maxsize=1)
 def _table() -> dict[str, tuple[str, ...]]:
     """Return the motions of every verb of the table; a verb at several lines has those of all, in their order."""
-    text = files("foon_kg.data").joinpath("verbs.txt").read_text(encoding="utf-8")
+    text = files("foon_kg.language.drafting").joinpath("verbs.txt").read_text(encoding="utf-8")
     table: dict[str, tuple[str, ...]] = {}
     for line in text.splitlines():
         motions, _, verbs = line.partition(":")

@@ -1,1 +1,0 @@
-"""Facts that can be read and changed: kitchens, names, states."""
