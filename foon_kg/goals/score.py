@@ -159,7 +159,7 @@ def _is_defined(joins: Sequence[Join], asked: Asked) -> bool:
 def _batter_score(dish: Recorded, asked: Asked) -> float:
     """Return what speaks for a frame and against it where a batter is asked, or a dough that nobody kneads."""
     found = 0.0 if dish.mixed_in_bowl else -_AWKWARD
-    if dish.watered and not asked.has_a("water"):  # another batter: its flour wants more than the recipe has
+    if dish.watered and not asked.has_a("water"):  # the plan would have to add the water
         found -= 3 * _AWKWARD
     if dish.cut_when_baked:  # bars and brownies are, and a round cake is not
         found += 2 * _AWKWARD if asked.is_cut_when_baked else -2 * _AWKWARD

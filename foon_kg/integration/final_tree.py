@@ -1,4 +1,4 @@
-"""A dish made on a bench, told as a tree: its units with their evidence, what was substituted, what was assumed."""
+"""A dish made on a bench as a tree: its units with their evidence, what was substituted, what was assumed."""
 
 from __future__ import annotations
 
@@ -19,9 +19,11 @@ from foon_kg.model.tree import Phase, TreeUnit, leaves_of
 from foon_kg.world import Mention
 
 MOST_ALTERNATIVES = 3
+"""How many other foods are named beside the one that stands for another."""
+
 _COOKED = "cooked"
 _READ = 1.0
-"""How sure it is what a crude word of a recipe means."""
+"""How sure it is what a crude word of a recipe means: it was read by a table, and no likeness was weighed."""
 
 _SWITCHED = 0.9
 """How sure it is that what can be turned on can be turned off, though no video shows it."""
@@ -39,7 +41,7 @@ class FinalTree:
 
 
 Others = Callable[[str, str], Sequence[tuple[str, float]]]
-"""Answers which known foods may stand for a food instead of the one that was chosen, the likest first."""
+"""Given a food and the one that was chosen for it: the other known foods that may stand for it, the likest first."""
 
 
 def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want], others: Others) -> FinalTree:
@@ -70,13 +72,13 @@ def _unit(done: Done) -> TreeUnit:
 
 def _objects(bench: Bench, others: Others) -> Iterator[Substitution]:
     """Yield each food that is handled like another one, with the next best."""
-    told: set[tuple[str, str]] = set()
+    declared: set[tuple[str, str]] = set()
     for done in bench.done:
         if done.attested.like is None:
             continue
         food, like, confidence = done.attested.like
-        if (singular(food), like) not in told:
-            told.add((singular(food), like))
+        if (singular(food), like) not in declared:
+            declared.add((singular(food), like))
             rest = tuple(Alternative(name, round(sure, 4)) for name, sure in others(food, like)[:MOST_ALTERNATIVES])
             labels = (mention.node.label for mention in (*done.step.inputs, *done.step.outputs))
             name = next((label for label in labels if singular(label) == singular(food)), food)
@@ -101,31 +103,37 @@ def _states(bench: Bench, cooking: Cooking, wants: Sequence[Want]) -> Iterator[S
         ready = cooking.ready.get(want.number)
         if ready is None:
             continue
-        for state in in_turn(want.told or want.asked):
+        for state in in_turn(want.as_written or want.asked):
             names = (singular(want.label), *parts_asked(want.label, want.facts, state))
             if all((name, state) not in shown for name in names):
                 yield Substitution("state", want.label, state, _state_now(bench, ready.stuff, want), _READ)
 
 
 def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:
-    """Return the state that a food had last while it was by itself: the one that somebody made, if any did."""
+    """Return the state that a food had last while it was by itself: the one that somebody made, if any did.
+
+    What is asked by a word that only heat gives was at least cooked, whatever else the steps call it.
+    """
     if want.cooked and want.asked != _COOKED and bench.known.state(want.asked).needs_heat:
         return _COOKED
-    told = list(_told_alone(bench, stuff.number))
-    last = told[-1].node.states if told else ()
+    alone = list(_shown_alone(bench, stuff.number))
+    last = alone[-1].node.states if alone else ()
     made = [state for state in last if state not in want.leaf]
     return next(iter((*made, *last, *want.leaf)), "")
 
 
-def _told_alone(bench: Bench, number: int) -> Iterator[Mention]:
-    """Yield what steps tell of the states of a food, until it comes together with others."""
+def _shown_alone(bench: Bench, number: int) -> Iterator[Mention]:
+    """Yield the mentions of the food ``number`` in steps that show its states, until it comes together with others.
+
+    The step in which it does shows how it came; after that it is in the states of the mixture.
+    """
     for done in bench.done:
         inputs = done.step.inputs
         foods = _foods_among(inputs, bench.known) if number in [one.thing for one in inputs] else []
         if number not in foods:
             continue
-        told = inputs if len(foods) > 1 else (*inputs, *done.step.outputs)
-        yield from (mention for mention in told if mention.thing == number and mention.node.states)
+        shown = inputs if len(foods) > 1 else (*inputs, *done.step.outputs)
+        yield from (mention for mention in shown if mention.thing == number and mention.node.states)
         if len(foods) > 1:
             return
 
@@ -136,6 +144,7 @@ def _foods_among(mentions: Sequence[Mention], known: Tables) -> list[int | None]
 
 
 def _assumptions(bench: Bench, cooking: Cooking) -> Iterator[Assumption]:
+    """Yield what was assumed of each food, said of the first node that shows it: contract C6 lets nothing be silent."""
     for number in sorted(cooking.ready):
         ready = cooking.ready[number]
         if not ready.assumptions:

@@ -21,7 +21,10 @@ from foon_kg.model.knowledge import KnowledgeView
 
 @dataclass(frozen=True, eq=False)
 class Methods:
-    """Operators with their evidence, and a frame for each goal of each video, sorted by video and goal."""
+    """Operators with their evidence, and a frame for each goal of each video, sorted by video and goal.
+
+    What is worked out of the frames is kept: every recipe asks for it.
+    """
 
     operators: Operators
     frames: tuple[Frame, ...]
@@ -69,7 +72,7 @@ class Methods:
 
     @cached_property
     def cooked_by(self) -> Mapping[str, tuple[str, ...]]:
-        """The motion by which foods of a kind, or with a trait, are most often cooked by themselves."""
+        """By kind (or ``trait:…``) the motion by which such foods are most often cooked by themselves."""
         found = {}
         for name, counts in self.posts.cooked.items():
             motion = min(counts, key=lambda motion: (-counts[motion], motion))

@@ -17,17 +17,19 @@ from foon_kg.model.tree import TreeUnit
 def with_unheeded(
     tree: FinalTree, asked: Iterable[tuple[Named, str]], wants: Sequence[Want], known: Tables
 ) -> FinalTree:
-    """Return a tree that says of each word of its title if no step does what is ``asked`` by that.
+    """Return a ``tree`` that says of each word of its title if no step does what is ``asked`` by that.
 
-    ``wants`` are the foods of the recipe, ``known`` the tables.
+    ``asked`` has what is to be done, each with the words that say it; ``wants`` are the foods of the recipe, ``known``
+    the tables. It is an assumption of the first food that is meant: there has to be a node to say it of.
     """
-    told = []
-    for one, said in asked:
+    unheeded = []
+    for one, word in asked:
         names = _first_meant(one, wants)
         leaf = next((node for name in names for node in tree.kitchen if node.label == name), None)
         if leaf is not None and not _is_done_in(one, tree.units, known):
-            told.append(Assumption(leaf, f"the title says “{said}”, and no step of this FOON does it to such a dish"))
-    return replace(tree, assumptions=(*tree.assumptions, *told)) if told else tree
+            why = f"the title says “{word}”, and no step of this FOON does it to such a dish"
+            unheeded.append(Assumption(leaf, why))
+    return replace(tree, assumptions=(*tree.assumptions, *unheeded)) if unheeded else tree
 
 
 def _first_meant(one: Named, wants: Sequence[Want]) -> Iterator[str]:

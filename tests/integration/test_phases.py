@@ -7,7 +7,7 @@ from integration.told import KITCHEN
 
 from foon_kg.food import tables
 from foon_kg.foon.demo import demo_folder
-from foon_kg.integration.joining.comers import phase_of
+from foon_kg.integration.joining.additions import phase_of
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner

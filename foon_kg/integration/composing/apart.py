@@ -61,16 +61,16 @@ def _parted(
     baked: bool,
 ) -> Apart:
     """Return what components take of foods, and what is left for which technique."""
-    told = words(recipe.title or "")
-    technique = technique_for(recipe.dish_type, told, foods, recorded)
+    title_words = words(recipe.title or "")
+    technique = technique_for(recipe.dish_type, title_words, foods, recorded)
     kept = _for_its_lines(foods, technique)
     rest = [want for want in foods if want not in kept]
     own, sides = sides_of(rest, kept, dishes, recipe.dish_type, recipe.title or "", baked=baked)
-    left = technique_for(recipe.dish_type, told, own, recorded)
+    left = technique_for(recipe.dish_type, title_words, own, recorded)
     if not _is_named(sides):
         return Apart(foods, own, sides, left)
     if left is None and _says_what_is_put_on(technique):
-        return _with_what_is_served(Apart(foods, foods, (), technique), sides, recipe.dish_type, told, recorded)
+        return _with_what_is_served(Apart(foods, foods, (), technique), sides, recipe.dish_type, title_words, recorded)
     return Apart(foods, own, sides, None if left is not None and WHOLE in left.plan else left)
 
 
@@ -97,13 +97,13 @@ def _with_what_is_served(
     whole: Apart,
     sides: Sequence[Side],
     dish_type: str,
-    told: Sequence[str],
+    title_words: Sequence[str],
     recorded: Sequence[tuple[str, Collection[str]]],
 ) -> Apart:
     """Return what a technique makes that says itself what is put on what, without what is only served with it."""
     served = tuple(side for side in sides if all(want.part in word_list("is for what is done") for want in side.wants))
     own = tuple(want for want in whole.foods if not any(want in side.wants for side in served))
-    if served and technique_for(dish_type, told, own, recorded) is whole.technique:
+    if served and technique_for(dish_type, title_words, own, recorded) is whole.technique:
         return whole._replace(own=own, sides=served)
     return whole
 

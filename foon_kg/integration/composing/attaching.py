@@ -22,26 +22,26 @@ _NOWHERE = Spot(
 
 
 def with_sides(
-    line: Line, joins: Sequence[Join], sides: Sequence[Side], told: Sequence[str], known: Tables
+    line: Line, joins: Sequence[Join], sides: Sequence[Side], title_words: Sequence[str], known: Tables
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return a line that each component, one of ``sides``, joins, and the joins with those of its foods.
 
-    ``told`` are the words of the dish's title, ``known`` the tables.
+    ``title_words`` are the words of the dish's title, ``known`` the tables.
     """
     for side in sides:
-        line, joins = _with_side(line, joins, side, told, known)
+        line, joins = _with_side(line, joins, side, title_words, known)
     return line, tuple(joins)
 
 
 def _with_side(
-    line: Line, joins: Sequence[Join], side: Side, told: Sequence[str], known: Tables
+    line: Line, joins: Sequence[Join], side: Side, title_words: Sequence[str], known: Tables
 ) -> tuple[Line, Sequence[Join]]:
     component = side.component
     own = [Join(want, _NOWHERE, UNNATURAL) for want in side.wants]
     target = stage_of(component.by)
     found: Sequence[Join] = own
     if component.technique.lines:
-        made, found = carried_out(component.technique, own, told, known)
+        made, found = carried_out(component.technique, own, title_words, known)
         target = replace(target, adds=(made,))
     whole, at, became = _folded(line, target, side, joins) or _attached(line, target, component.at)
     if at is not target:

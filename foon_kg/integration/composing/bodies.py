@@ -19,17 +19,18 @@ _MIX = replace(MIX, tools=("spatula",))
 
 
 def made_apart(
-    line: Line, joins: Sequence[Join], told: Collection[str], known: Tables, *, grilled: bool
+    line: Line, joins: Sequence[Join], name_words: Collection[str], known: Tables, *, grilled: bool
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return a line that lays on bread what it makes before, and its ``joins``.
 
     A mass is mixed, shaped and fried; flesh in one piece is coated, where something coats it, and fried. Nothing
-    changes where there is no bread, or nothing raw to lie on it. ``told`` are the words of the dish's type and title,
-    ``known`` the tables. ``grilled``: all is fried together at last, so nothing that needs no cooking is fried before.
+    changes where there is no bread, or nothing raw to lie on it. ``name_words`` are the words of the dish's type and
+    title, ``known`` the tables. ``grilled``: all is fried together at last, so nothing that needs no cooking is fried
+    before.
     """
     if not any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins):
         return coated_apart(line, joins)
-    body = _Body(joins, told, known)
+    body = _Body(joins, name_words, known)
     if not body.main and (body.falls_apart or (grilled and not body.raw and not body.fried)):
         top = replace(TOP)
         return Line((top,)), tuple(_at(join, top, ()) for join in joins)
@@ -37,12 +38,12 @@ def made_apart(
 
 
 class _Body:
-    def __init__(self, joins: Sequence[Join], told: Collection[str], known: Tables) -> None:
+    def __init__(self, joins: Sequence[Join], name_words: Collection[str], known: Tables) -> None:
         self.joins = joins
         self.known = known
         self.falls_apart = any(map(self._falls_apart, joins))
         self.raw = list(filter(self._is_raw, joins))
-        shaped = not word_list("holds patties").isdisjoint(told)
+        shaped = not word_list("holds patties").isdisjoint(name_words)
         mass = self._mass(shaped=shaped)
         lone = self._lone_flesh(mass)
         self.shaped = shaped and bool(mass)

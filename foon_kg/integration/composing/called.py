@@ -34,7 +34,7 @@ from foon_kg.integration.teaching.frames import Line
 
 @dataclass(frozen=True)
 class Called:
-    """What a dish is called: the ``dishes`` of that name, the words of its type and title, its recorded ``goal``.
+    """What a dish is called: the ``dishes`` of that name, ``name_words`` (of type and title), its recorded ``goal``.
 
     ``tin`` is what its batter or dough is baked in. ``baked``: the words say that it comes out of an oven; ``folded``
     are those by which it may be folded over. ``warms`` and ``blends``: this FOON shows how a drink is heated, and
@@ -43,7 +43,7 @@ class Called:
     """
 
     dishes: Sequence[Dish]
-    told: frozenset[str]
+    name_words: frozenset[str]
     goal: str
     title: str
     dish_type: str
@@ -60,7 +60,7 @@ class Called:
     def words(self) -> tuple[str, ...]:
         """The words of its type, and those of its title in their order."""
         title = words(self.title)
-        return (*sorted(self.told.difference(title)), *title)
+        return (*sorted(self.name_words.difference(title)), *title)
 
     def has(self, name: str) -> bool:
         """Whether what ``name`` says holds of one of its dishes: a field of :class:`~foon_kg.food.rows.Dish`."""
@@ -96,9 +96,9 @@ def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: C
 
 def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
     if called.technique is not None:
-        told = words(called.title)
-        line, found = carried_out(called.technique, joins, told, known)
-        return Arranged(line, found, "one pot" in called.technique.plan or is_soaked_up(found, told))
+        title_words = words(called.title)
+        line, found = carried_out(called.technique, joins, title_words, known)
+        return Arranged(line, found, "one pot" in called.technique.plan or is_soaked_up(found, title_words))
     line, joins = with_parts(line, joins, parts, called.tin)
     line, joins = baked_at_last(line, joins, called.title)
     made, found = as_a_way_says(line, joins, called.dishes, called.words, known)
@@ -107,7 +107,7 @@ def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: 
         joins = strewn_under(line, joins, known)
     if is_folded(joins, called.folded):
         line, joins = folded(joins)
-    boiled = not word_list("boils in the dish").isdisjoint(called.told)
+    boiled = not word_list("boils in the dish").isdisjoint(called.name_words)
     beside = not any(map(called.has, ("stacked", "baked", "formed")))
     line, joins = (
         _drunk(line, joins, called, known)
@@ -122,7 +122,7 @@ def _drunk(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> 
         line, joins = as_a_way_says(line, joins, (), called.words, known, when="warmed")
     if called.blends:
         line, joins = as_a_way_says(line, joins, (), called.words, known, when="blended")
-    return garnished(*stirred(line, joins), called.told)
+    return garnished(*stirred(line, joins), called.name_words)
 
 
 def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> Arranged:
@@ -130,9 +130,9 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
     line, joins = unmixed(line, joins)
     joins = fat_in_the_heat(joins)
     boiled = not word_list("boils in the dish").isdisjoint(
-        called.told
+        called.name_words
     )  # there flour is stirred into the fat in its turn
-    if not called.tin and not boiled and word_list("is called battered").isdisjoint(called.told):
+    if not called.tin and not boiled and word_list("is called battered").isdisjoint(called.name_words):
         line, joins = sauce_apart(line, joins)
     line, joins, one_pot = _stewed_or_smooth(line, joins, called, known)
     if is_formed(called.dishes, joins):
@@ -142,11 +142,11 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
 
 def _stewed_or_smooth(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> Arranged:
     """Return how what boils in the dish is done in it, be it blended then; as it is where nothing does."""
-    boiled, title = not word_list("boils in the dish").isdisjoint(called.told), words(called.title)
+    boiled, title = not word_list("boils in the dish").isdisjoint(called.name_words), words(called.title)
     bathed = is_eaten_with_its_bath(joins, title, called.dish_type)
     one_pot = boiled or bathed or is_soaked_up(joins, title) or is_stewed(called.title, called.dishes, joins, known)
     if boiled and not bathed:
-        line, joins = blended_when_done(line, joins, called.told)
+        line, joins = blended_when_done(line, joins, called.name_words)
     elif one_pot:
         line, joins = stewed(boiled_there(joins) if bathed else joins)
     return Arranged(line, tuple(joins), one_pot)
@@ -164,7 +164,7 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
     if is_never_heated(called.dishes, joins, known):
         line, joins = unheated(line, joins)
     if called.has("stacked"):
-        line, joins = made_apart(line, joins, called.told, known, grilled=called.has("grilled"))
+        line, joins = made_apart(line, joins, called.name_words, known, grilled=called.has("grilled"))
     elif called.has("coated") and not called.has("dressed"):
         line, joins = _coated(line, joins, called, known)
     return dressed_apart(line, joins) if called.has("dressed") else (line, joins)
@@ -183,5 +183,5 @@ def _coated(line: Line, joins: tuple[Join, ...], called: Called, known: Tables) 
 def _shaped(line: Line, joins: tuple[Join, ...], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made that is given its form: by dough around it, in a roll, as balls; else as it is."""
     if is_formed(called.dishes, joins):
-        return formed(line, joins, called.told, known, called.goal, baked=called.baked)
+        return formed(line, joins, called.name_words, known, called.goal, baked=called.baked)
     return line, joins

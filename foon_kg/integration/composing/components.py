@@ -47,12 +47,17 @@ class _Finder:
     """The foods of one recipe, of which those of each component are taken out: ``rest`` is what is left."""
 
     def __init__(
-        self, wants: Sequence[Want], kept: Sequence[Want], held: Collection[str], dish_type: str, told: Sequence[str]
+        self,
+        wants: Sequence[Want],
+        kept: Sequence[Want],
+        held: Collection[str],
+        dish_type: str,
+        title_words: Sequence[str],
     ) -> None:
         self.rest = [*wants, *kept]
         self.held = held
         self.dish_type = dish_type
-        self.told = told
+        self.title_words = title_words
         self.listed = {place: want for want in wants for place in want.places}
         self.highest = 3 * SECOND
         self.behind: set[int] = set()
@@ -93,10 +98,10 @@ class _Finder:
         """Whether a dish of this type and title may have such a component."""
         holds = all((name.lstrip("!") in self.held) is not name.startswith("!") for name in technique.dishes)
         typed = not technique.types or self.dish_type in technique.types
-        return holds and typed and technique.never.isdisjoint(self.told)
+        return holds and typed and technique.never.isdisjoint(self.title_words)
 
     def _around(self) -> Around:
-        return Around([want.facts for want in self.rest], self.told)
+        return Around([want.facts for want in self.rest], self.title_words)
 
     def _used_up(self, wants: Sequence[Want], places: set[int]) -> list[Want]:
         """Return those of ``wants`` that are listed at no other places but these."""
@@ -111,17 +116,17 @@ class _Finder:
 
     def _places(self, component: Component, around: Around) -> set[int]:
         """Return the places in the recipe of the foods of a component."""
-        told = self._told(component, around)
-        if len(told) > 1 and _have(component.technique.needs, self._at(told), around):
-            return told  # a heading stands above it
-        found = told or self._guessed(component, around)
+        said = self._said(component, around)
+        if len(said) > 1 and _have(component.technique.needs, self._at(said), around):
+            return said  # a heading stands above it
+        found = said or self._guessed(component, around)
         if found:
             return self._with_neighbours(found, component, around)
-        if component.again and component.technique.is_called(self.dish_type, self.told):
+        if component.again and component.technique.is_called(self.dish_type, self.title_words):
             return self._opening(component, around) if component.opens else self._listed_again(component, around)
         return set()
 
-    def _told(self, component: Component, around: Around) -> set[int]:
+    def _said(self, component: Component, around: Around) -> set[int]:
         """Return the places of the foods of which the recipe says that they are for such a component."""
         found = self._named(component)
         if not component.body:
@@ -146,15 +151,15 @@ class _Finder:
 
     def _named(self, component: Component) -> set[int]:
         around = self._around()
-        told = {place: want for place, want in self.listed.items() if want.part and want.part in component.parts}
-        return {place for place, want in told.items() if not are(component.leaves, want, around)}
+        said = {place: want for place, want in self.listed.items() if want.part and want.part in component.parts}
+        return {place for place, want in said.items() if not are(component.leaves, want, around)}
 
     def _guessed(self, component: Component, around: Around) -> set[int]:
         """Return the place of the food with which a component begins of which the recipe does not say so.
 
         It is the last one of such foods, or the one right behind what comes on a cold dish.
         """
-        if self._named(component) or not component.technique.is_called(self.dish_type, self.told):
+        if self._named(component) or not component.technique.is_called(self.dish_type, self.title_words):
             return set()
         bodies = [place for place, want in self.listed.items() if are(component.body, want, around)]
         if component.behind:

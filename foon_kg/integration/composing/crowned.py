@@ -9,7 +9,7 @@ from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import fineness
-from foon_kg.integration.joining.comers import is_bath
+from foon_kg.integration.joining.additions import is_bath
 from foon_kg.integration.joining.course import HEATS, WORKS, Plan
 from foon_kg.integration.joining.spots import Join, any_is, is_ladled, only_carries, spots_of
 from foon_kg.integration.preparing.preparation import Want

@@ -40,20 +40,20 @@ def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
 
 
 def formed(
-    line: Line, joins: Sequence[Join], told: frozenset[str], known: Tables, goal: str, *, baked: bool
+    line: Line, joins: Sequence[Join], name_words: frozenset[str], known: Tables, goal: str, *, baked: bool
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return ``line`` and ``joins`` for balls, patties or cakes that are the dish: mixed, shaped, cooked, and simmered.
 
-    ``told`` are the words of type and title, ``goal`` is what the recorded dish is called, ``known`` are the tables;
-    ``baked``: it comes out of an oven. Nothing changes where there is nothing to be shaped, or where balls are but a
-    part of the dish: with pasta, in a soup.
+    ``name_words`` are the words of type and title, ``goal`` is what the recorded dish is called, ``known`` are the
+    tables; ``baked``: it comes out of an oven. Nothing changes where there is nothing to be shaped, or where balls are
+    but a part of the dish: with pasta, in a soup.
     """
-    mass = _Mass(joins, known, told)
-    if not mass.is_the_dish or not word_list("boils in the dish").isdisjoint(told):
+    mass = _Mass(joins, known, name_words)
+    if not mass.is_the_dish or not word_list("boils in the dish").isdisjoint(name_words):
         return line, tuple(joins)
     wet = [join for join in joins if mass.is_sauce(join)]
     smooth = mass.smoothed(wet)
-    mix, shape, whisk, top = fresh(MIX, replace(SHAPE, label=_portions(told)), WHISK, TOP)
+    mix, shape, whisk, top = fresh(MIX, replace(SHAPE, label=_portions(name_words)), WHISK, TOP)
     cooked = _cooked(Line((mix, shape)), goal, baked=baked)
     sauce = _sauced(wet, (Line((whisk,)),) if smooth else ())
 
@@ -90,10 +90,10 @@ def _sauced(wet: Sequence[Join], adds: tuple[Line, ...]) -> Stage:
     return replace(COOK if lies else SIMMER, adds=adds)
 
 
-def _portions(told: frozenset[str]) -> str:
-    """Return what shaped portions are called in a dish that is ``told`` of in these words."""
+def _portions(name_words: frozenset[str]) -> str:
+    """Return what shaped portions are called in a dish with these ``name_words``."""
     balls = word_list("is called so in balls")
-    return min(word_list("is called so in portions") if told.isdisjoint(map(singular, balls)) else balls)
+    return min(word_list("is called so in portions") if name_words.isdisjoint(map(singular, balls)) else balls)
 
 
 def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
@@ -120,9 +120,9 @@ def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Lin
 class _Mass:
     """What of a recipe's foods is mixed to be shaped."""
 
-    def __init__(self, joins: Sequence[Join], known: Tables, told: frozenset[str] = frozenset()) -> None:
+    def __init__(self, joins: Sequence[Join], known: Tables, name_words: frozenset[str] = frozenset()) -> None:
         self.known = known
-        self.told = told
+        self.name_words = name_words
         self.joins = joins
         self.main = self._main()
         facts = [join.want.facts for join in joins]
@@ -159,7 +159,7 @@ class _Mass:
 
     def _is_the_title_s(self, join: Join) -> bool:
         """Whether the title names what would else season a mass: the sauce of teriyaki meatballs is around them."""
-        named = not self.told.isdisjoint(words(join.want.label))
+        named = not self.name_words.isdisjoint(words(join.want.label))
         return named and join.want.facts.is_a(*word_list("is around a mass where a title names it"))
 
     def holds(self, join: Join) -> bool:

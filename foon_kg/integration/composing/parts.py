@@ -51,9 +51,9 @@ def _parts(wants: Sequence[Want], title: Sequence[str], repeated: Collection[str
     dough = is_of_dough(wants)
     if not dough and not is_of_batter(wants):
         return ()
-    told = frozenset(title) - (word_list("is strewn on") if strewn else frozenset())
+    title_words = frozenset(title) - (word_list("is strewn on") if strewn else frozenset())
     lies = [Part((want,), "", baked=True) for want in _on_dough(wants)] if dough else []
-    return (*lies, *_Parted(wants, told, repeated).parts())
+    return (*lies, *_Parted(wants, title_words, repeated).parts())
 
 
 def _on_dough(wants: Sequence[Want]) -> list[Want]:
@@ -67,9 +67,9 @@ class _Parted:
     ``fine`` is sugar ground to powder, ``sweet`` other sugar, ``solid`` the fat that is creamed.
     """
 
-    def __init__(self, wants: Sequence[Want], told: frozenset[str], repeated: Collection[str]) -> None:
+    def __init__(self, wants: Sequence[Want], title_words: frozenset[str], repeated: Collection[str]) -> None:
         self.wants = wants
-        self.told = told
+        self.title_words = title_words
         self.repeated = repeated
         self.fine = self._are("sweetens a cover")
         self.sweet = [want for want in self._are("sweetens a batter") if want not in self.fine]
@@ -81,7 +81,7 @@ class _Parted:
         return [want for want in self.wants if want.facts.is_a(*word_list(words_of))]
 
     def _promised(self, words_of: str) -> bool:
-        return not self.told.isdisjoint(word_list(words_of))
+        return not self.title_words.isdisjoint(word_list(words_of))
 
     def parts(self) -> Iterator[Part]:
         """Yield the parts in the order in which they are put on."""
@@ -225,12 +225,12 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
 
     What boils in its dish never ends there, whatever else its title names: a baked potato soup is a soup.
     """
-    told = _is_baked_at_last(title)
+    at_last = _is_baked_at_last(title)
     bakes = [stage for stage in line.stages if stage.does >= {"dry", "heat"}]
     if bakes:
-        joins = _browned_on(bakes[-1], line.stages, joins) if told else joins
+        joins = _browned_on(bakes[-1], line.stages, joins) if at_last else joins
         return line, _strewn_on(bakes[-1], line.stages, joins)
-    if not told or not _is_cooked_in_no_oven(line):
+    if not at_last or not _is_cooked_in_no_oven(line):
         return line, tuple(joins)
     stages = _without_idle_end(line.stages, joins)
     does = frozenset({"dry", "heat"})
@@ -241,9 +241,9 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
 
 
 def _is_baked_at_last(title: str) -> bool:
-    told = words(title)
-    boils = not word_list("boils in the dish").isdisjoint(told)
-    return not boils and not word_list("is baked at last").isdisjoint(told)
+    title_words = words(title)
+    boils = not word_list("boils in the dish").isdisjoint(title_words)
+    return not boils and not word_list("is baked at last").isdisjoint(title_words)
 
 
 def _is_cooked_in_no_oven(line: Line) -> bool:

@@ -10,7 +10,7 @@ from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.bench import fineness
-from foon_kg.integration.joining.comers import is_strewn
+from foon_kg.integration.joining.additions import is_strewn
 from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
@@ -26,19 +26,19 @@ _SERVED = Stage((), "", frozenset(), (), "bowl", "in", "", "", "", (), 0)
 _SIMMERED = Stage((), "simmer", frozenset({"heat", "liquid"}), (), "pot", "on", "stove", "heat", "", (), 0)
 
 
-def blended_when_done(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
-    """Return ``line`` and ``joins`` for a dish with a liquid that is cooked and blended, by its foods and title.
+def blended_when_done(line: Line, joins: Sequence[Join], name_words: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return ``line`` and ``joins`` for a dish with a liquid that is cooked and blended, by its foods and name.
 
-    ``told`` are the words of the title. One that is served cold, and of which nothing has to be cooked, is only
-    blended.
+    ``name_words`` are those of its type and title. One that is served cold, and of which nothing has to be cooked, is
+    only blended.
     """
     stages = list(line.all_stages())
     blends = any("blend" in stage.does for stage in stages)
     raw_first = _is_blended_raw(stages)
     pieces = any_is(joins, *word_list("stays in pieces"))
-    if not pieces and _is_served_cold(joins, told):
+    if not pieces and _is_served_cold(joins, name_words):
         return _with_stages(joins, (replace(_BLENDED),))
-    smooth = not pieces and _is_to_be_smooth(joins, told)
+    smooth = not pieces and _is_to_be_smooth(joins, name_words)
     if smooth and (raw_first or not blends):
         return _with_stages(joins, (_boiling(stages), replace(_BLENDED)))
     if raw_first:
@@ -52,15 +52,15 @@ def _is_blended_raw(stages: Sequence[Stage]) -> bool:
     return bool(blends) and any(not stage.does.isdisjoint(HEATS) for stage in stages[blends[-1] + 1 :])
 
 
-def _is_served_cold(joins: Sequence[Join], told: Collection[str]) -> bool:
-    cold = not word_list("is served cold").isdisjoint(told)
+def _is_served_cold(joins: Sequence[Join], name_words: Collection[str]) -> bool:
+    cold = not word_list("is served cold").isdisjoint(name_words)
     return cold and all({"cook", "boil"}.isdisjoint(join.want.facts.owes) for join in joins)
 
 
-def _is_to_be_smooth(joins: Sequence[Join], told: Collection[str]) -> bool:
+def _is_to_be_smooth(joins: Sequence[Join], name_words: Collection[str]) -> bool:
     """Whether a dish is called so that it is smooth, or one of its foods makes it so."""
-    named = not word_list("is blended smooth").isdisjoint(told)
-    return named or any(_makes_it_smooth(join, told) for join in joins)
+    named = not word_list("is blended smooth").isdisjoint(name_words)
+    return named or any(_makes_it_smooth(join, name_words) for join in joins)
 
 
 def is_stewed(title: str, dishes: Collection[Dish], joins: Sequence[Join], known: Tables) -> bool:
@@ -84,9 +84,9 @@ def _is_called_by_a_pot(head: Sequence[str], joins: Sequence[Join]) -> bool:
     return head[-1] in in_a_pot or (wet and head[-1] in flesh)
 
 
-def _is_in_sauce(joins: Sequence[Join], told: Sequence[str], known: Tables) -> bool:
+def _is_in_sauce(joins: Sequence[Join], title_words: Sequence[str], known: Tables) -> bool:
     """Whether flesh that is asked in pieces has a sauce to be cooked in, and nothing says that it is made otherwise."""
-    if not told or any(known.state(word).needs_heat for word in told if word in known.states):
+    if not title_words or any(known.state(word).needs_heat for word in title_words if word in known.states):
         return False
     pieces = any(_is_raw_flesh_in_pieces(join, known) for join in joins)
     sauce = sum(join.want.facts.is_of(*word_list("is cooked in for long")) for join in joins) >= _LEAST
@@ -104,9 +104,9 @@ def stewed(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     return _with_stages(joins, (replace(_SIMMERED),))
 
 
-def _makes_it_smooth(join: Join, told: Collection[str]) -> bool:
+def _makes_it_smooth(join: Join, name_words: Collection[str]) -> bool:
     """Whether a dish is blended for what it is called by, or because there is such a food in it."""
-    names = word_list("is blended where a title names it") & set(told)
+    names = word_list("is blended where a title names it") & set(name_words)
     return join.want.facts.is_a(*word_list("is blended when it is soft")) or not names.isdisjoint(
         words(join.want.label)
     )

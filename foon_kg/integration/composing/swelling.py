@@ -11,16 +11,17 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.spots import Join, any_is
 
 
-def is_soaked_up(joins: Sequence[Join], told: Sequence[str]) -> bool:
+def is_soaked_up(joins: Sequence[Join], title_words: Sequence[str]) -> bool:
     """Return whether what swells in a dish soaks up what that is made of, so that nothing is boiled apart and drained.
 
-    That is so where a title (``told`` are its words) says that all is made in one vessel, and with what is so small
-    that it needs no more than what it is asked with. A liquid of ``joins`` that is bound to a sauce is none to cook in.
+    That is so where a title (``title_words`` are its words) says that all is made in one vessel, and with what is so
+    small that it needs no more than what it is asked with. A liquid of ``joins`` that is bound to a sauce is none to
+    cook in.
     """
     raw = [join.want.facts for join in joins if _is_raw_and_swells(join)]
     if not raw or any_is(joins, *word_list("binds a mass or a sauce")) or _is_baked(joins):
         return False
-    in_one = _is_in_one_vessel(told)
+    in_one = _is_in_one_vessel(title_words)
     liquids = word_list("swells what is dry" if in_one else "swells what is small")
     return (in_one or _are_small(raw)) and any(join.want.facts.is_of(*liquids) for join in joins)
 
@@ -30,9 +31,9 @@ def _is_raw_and_swells(join: Join) -> bool:
     return want.facts.is_a(*word_list("swells")) and "boil" in want.facts.owes and not want.cooked
 
 
-def _is_in_one_vessel(told: Sequence[str]) -> bool:
+def _is_in_one_vessel(title_words: Sequence[str]) -> bool:
     """Whether the words of a title, by themselves or two together, say that all is made in one vessel."""
-    named = {*told, *map(" ".join, itertools.pairwise(told))}
+    named = {*title_words, *map(" ".join, itertools.pairwise(title_words))}
     return not word_list("says that all is in one vessel").isdisjoint(named)
 
 

@@ -31,16 +31,19 @@ class Rejoined(Stage):
 
 
 def technique_for(
-    dish_type: str, told: Sequence[str], wants: Sequence[Want], recorded: Iterable[tuple[str, Collection[str]]] = ()
+    dish_type: str,
+    title_words: Sequence[str],
+    wants: Sequence[Want],
+    recorded: Iterable[tuple[str, Collection[str]]] = (),
 ) -> Technique | None:
     """Return the first technique of the table that a dish is called by, and for which its foods, ``wants``, are there.
 
-    ``told`` are the words of its title, ``recorded`` what the videos of its type make, each with its foods: where one
-    of them makes what the title says, of the foods that the technique needs, it teaches that, and no table, unless the
-    recipe says which food is for which line of it.
+    ``title_words`` are the words of its title, ``recorded`` what the videos of its type make, each with its foods:
+    where one of them makes what the title says, of the foods that the technique needs, it teaches that, and no table,
+    unless the recipe says which food is for which line of it.
     """
-    around = Around([want.facts for want in wants], told)
-    own = set(told)
+    around = Around([want.facts for want in wants], title_words)
+    own = set(title_words)
     taught = [(words(label), foods) for label, foods in recorded if own.issuperset(words(label))]
     parts = {want.part for want in wants} - {""}
 
@@ -52,8 +55,8 @@ def technique_for(
             and any(_teaches(label, foods, one) for label, foods in taught)
         )
 
-    for one in techniques_called(dish_type, told):
-        if one.is_called(dish_type, told) and not is_taught(one) and has_its_foods(one, wants, around):
+    for one in techniques_called(dish_type, title_words):
+        if one.is_called(dish_type, title_words) and not is_taught(one) and has_its_foods(one, wants, around):
             return one
     return None
 
@@ -75,7 +78,7 @@ def as_a_way_says(
     line: Line,
     joins: Sequence[Join],
     dishes: Iterable[Dish],
-    told: Sequence[str],
+    name_words: Sequence[str],
     known: Tables,
     *,
     when: str = "ways",
@@ -83,16 +86,16 @@ def as_a_way_says(
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return ``line`` and ``joins`` by the first way of the table that a word of the name asks for; or as they are.
 
-    ``dishes`` are those that it is called; ``told`` are the words of its type and title, ``baked``: they say that it
-    comes out of an oven. ``when`` names one of the tables of ways; ``known`` are those of foods and motions.
+    ``dishes`` are those that it is called; ``name_words`` are the words of its type and title, ``baked``: they say that
+    it comes out of an oven. ``when`` names one of the tables of ways; ``known`` are those of foods and motions.
     """
     wants = [join.want for join in joins]
-    around = Around([want.facts for want in wants], told)
+    around = Around([want.facts for want in wants], name_words)
     dishes, shown = tuple(dishes), _shown(line) | ({"baked"} if baked else set())
     for one in ways(when):
         fits = _is_for(one, dishes) and all((name in shown) is holds for name, holds in map(_asked, one.video))
-        if fits and one.is_called("", told) and has_its_foods(one, wants, around):
-            return carried_out(one, joins, told, known)
+        if fits and one.is_called("", name_words) and has_its_foods(one, wants, around):
+            return carried_out(one, joins, name_words, known)
     return line, tuple(joins)
 
 
@@ -116,13 +119,13 @@ def _shown(line: Line) -> set[str]:
 
 
 def carried_out(
-    technique: Technique, joins: Sequence[Join], told: Sequence[str], known: Tables
+    technique: Technique, joins: Sequence[Join], title_words: Sequence[str], known: Tables
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return the line of a technique with every food of ``joins`` at the stage that is for it.
 
-    ``told`` are the title's words, ``known`` the tables.
+    ``title_words`` are the title's words, ``known`` the tables.
     """
-    placed = _Placed(technique, joins, Around([join.want.facts for join in joins], told))
+    placed = _Placed(technique, joins, Around([join.want.facts for join in joins], title_words))
     line = placed.line(MAIN)
     spots = {id(spot.stage): spot for spot in spots_of(line)}
     found = []

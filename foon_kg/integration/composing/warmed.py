@@ -47,18 +47,18 @@ def stirred(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
 def _is_mixed(line: Line, joins: Sequence[Join]) -> bool:
     """Whether a stage mixes several of the foods that come to it."""
     for stage in line.all_stages():
-        comers = [join for join in joins if place_among((join.spot.stage, *join.spot.after), stage) is not None]
-        if len(comers) > 1 and not stage.does.isdisjoint(MIXES):
+        coming = [join for join in joins if place_among((join.spot.stage, *join.spot.after), stage) is not None]
+        if len(coming) > 1 and not stage.does.isdisjoint(MIXES):
             return True
     return False
 
 
-def for_many(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that ends in a jug where what is ``told``, the words of its title, says that it is for many.
+def for_many(line: Line, joins: Sequence[Join], title_words: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that ends in a jug where one of ``title_words`` says that the drink is for many.
 
     One glass does not hold it. Its ``joins`` are returned with it.
     """
-    if word_list("is made for many").isdisjoint(told):
+    if word_list("is made for many").isdisjoint(title_words):
         return line, tuple(joins)
     stages = {id(stage): _in_a_jug(stage) for stage in line.stages}
     found = []
@@ -79,14 +79,14 @@ def is_served_in(label: str) -> bool:
     return row is not None and row.group in word_list("is drunk from")
 
 
-def garnished(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Line, tuple[Join, ...]]:
+def garnished(line: Line, joins: Sequence[Join], name_words: frozenset[str]) -> tuple[Line, tuple[Join, ...]]:
     """Return a line at whose end slices and leaves come on top of what is drunk, and its ``joins``.
 
-    Nothing changes where what is ``told``, the words of type and title, says that they are in it.
+    Nothing changes where one of ``name_words``, those of its type and title, says that they are in it.
     """
     last = line.stages[-1]
     found = [join for join in joins if _is_garnish(join)]
-    if not word_list("is muddled or blended").isdisjoint(told) or len(found) in {0, len(joins)}:
+    if not word_list("is muddled or blended").isdisjoint(name_words) or len(found) in {0, len(joins)}:
         return line, tuple(joins)
     top = replace(last, adds=(), motion="", does=frozenset(), tools=(), label="")
     at_top = (

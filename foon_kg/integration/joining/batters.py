@@ -77,7 +77,7 @@ def _most_of(foods: Mapping[Spot, Sequence[Food]], *traits: str) -> Spot | None:
 
 
 def is_thin(batter: Batter) -> bool:
-    """Whether water joins what runs in a batter."""
+    """Return whether water joins what runs in ``batter``."""
     return "water" in batter.wet.kinds
 
 
@@ -100,7 +100,10 @@ def binds(foods: Iterable[str], known: Tables) -> bool:
 
 
 def as_batter(batter: Batter, joins: Sequence[Join], known: Tables) -> list[Join]:
-    """Return the joins with every food of a batter where foods of its part join; ``known`` are the tables."""
+    """Return ``joins`` with every food of ``batter`` where foods of its part join; ``known`` are the tables.
+
+    One dry food alone is not mixed apart in a bowl of its own: it joins where the dry ones meet the rest.
+    """
     found = _with_its_fat(batter, [_in_its_part(batter, join, known) for join in joins])
     alone = [join for join in found if join.spot is batter.dry]
     if len(alone) == 1 and batter.dry is not batter.whole:

@@ -84,10 +84,11 @@ class Course:
         slots = list(stage.adds)
         heats = not stage.does.isdisjoint(HEATS)
 
+        # a slot of this stage has a whole number, so that what has none can come between; -1 is before all slots
         def order(join: Join) -> tuple[float, int, int]:
             facts = join.want.facts
             if join.slot is not None:
-                place: float = slots.index(join.slot) if join.slot in slots else -0.5
+                place: float = slots.index(join.slot) if join.slot in slots else -0.5  # another stage had it: early
             elif facts.is_a("fat") and heats:
                 place = -1
             elif "dry" in stage.does and facts.is_a(*word_list("melts on top")):
@@ -104,7 +105,7 @@ class Course:
             return (place, owes, join.want.number)
 
         found = sorted(self.at.get(id(stage), ()), key=order)
-        if heats:
+        if heats:  # fat with a slot of its own, too: nothing is fried before it is hot
             found.sort(key=lambda join: not join.want.facts.is_a("fat"))
         return found
 

@@ -30,6 +30,21 @@ class Place:
         return self.slot.food, self.slot.kind
 
 
+@dataclass(frozen=True)
+class Made:
+    """What a dish makes on its way and somebody may buy instead, called ``label``: dough, a sauce.
+
+    ``words`` are those of its name; ``is_dough``, and ``shaped``: that is rolled out or formed. ``taken_at`` is the
+    stage that takes it.
+    """
+
+    words: frozenset[str]
+    is_dough: bool
+    shaped: bool
+    label: str
+    taken_at: Spot
+
+
 @dataclass(frozen=True, eq=False)
 class Layout:
     """A frame as places: worked out once, whatever is asked.
@@ -38,8 +53,8 @@ class Layout:
     shaped as one, and ``pan`` where they are cooked; eggs are beaten at ``beaten`` that set by dry heat. ``laid`` is
     where foods are laid on dough that is rolled out, before it is baked. ``turned`` is where what was fried on both
     sides is served. ``batter`` is where a batter comes together. ``past`` is where other foods join a dish that is
-    boiled and drained, and no more. ``raw``: something in it is never cooked that has to be. ``made`` has what the dish
-    makes on its way, by its words, whether that is a dough and is shaped, and the stage that takes it.
+    boiled and drained, and no more. ``raw``: something in it is never cooked that has to be. ``drained`` are the spots
+    (by ``id``) whose liquid is poured away later, ``made`` what the dish makes on its way.
     """
 
     frame: Frame
@@ -55,7 +70,7 @@ class Layout:
     turned: Spot | None
     batter: Batter | None
     raw: bool
-    made: tuple[tuple[frozenset[str], bool, bool, str, Spot], ...]
+    made: tuple[Made, ...]
 
     @cached_property
     def posts(self) -> tuple[Post, ...]:
@@ -104,7 +119,7 @@ class Layout:
     @cached_property
     def hottest(self) -> int:
         """How often what joins first is heated; at least 1."""
-        return max(1, *(spot.heats for spot in self.spots))
+        return max([1, *(spot.heats for spot in self.spots)])
 
     @classmethod
     def of(cls, frame: Frame, known: Tables) -> Layout:
@@ -155,14 +170,15 @@ def _is_open(spot: Spot, known: Tables) -> bool:
     return _are_more_than_dusted(_foods_at(spot, known))
 
 
-def _made(spots: Sequence[Spot], known: Tables) -> Iterator[tuple[frozenset[str], bool, bool, str, Spot]]:
+def _made(spots: Sequence[Spot], known: Tables) -> Iterator[Made]:
+    """Yield what stages make that is a food of its own, and that a later stage takes."""
     for spot in spots:
         label = singular(spot.stage.label)
         facts = known.foods.food(label)
         if label and spot.after and facts.is_a("made", "dough"):
             following = next(other for other in spots if other.stage is spot.after[0])
             shaped = spot.post[0] == "shape"
-            yield frozenset(label.split()), facts.is_a("dough"), shaped, spot.stage.label, following
+            yield Made(frozenset(label.split()), facts.is_a("dough"), shaped, spot.stage.label, following)
 
 
 def _is_drained(spot: Spot, known: Tables) -> bool:
@@ -206,7 +222,10 @@ def _turned(spots: Sequence[Spot]) -> Spot | None:
 
 
 def _laid(spots: Sequence[Spot], known: Tables) -> Spot | None:
-    """Return the last stage at which something comes onto dough that is rolled out, before it is done."""
+    """Return the last stage at which something comes onto dough that is rolled out, before it is done.
+
+    What joins before the dough is shaped for the last time is in it, and not on it.
+    """
     found, dough, shaped = None, False, False
     for spot in spots:
         if spot.side:

@@ -3,17 +3,17 @@
 A video shows the order of its own foods only. So the stages in which one vessel stands over the heat are taken
 together, and the foods that join there are parted again by what they are: what fries in the hot fat, what is stirred
 into it for a moment, what cooks in the liquid, what is done soon, what is stirred in last. After each the whole is
-cooked, as the video does it. Which food is in which phase is in :mod:`~foon_kg.integration.joining.comers`.
+cooked, as the video does it. Which food is in which phase is in :mod:`~foon_kg.integration.joining.additions`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.joining.comers import (
+from foon_kg.integration.joining.additions import (
     BINDS,
     DRY_ORDER,
     EGGS,
@@ -22,9 +22,9 @@ from foon_kg.integration.joining.comers import (
     ORDER,
     SOON,
     WET,
-    Comer,
+    Addition,
     Medium,
-    boils,
+    VesselOverHeat,
     finishing_fat_last,
     in_parts,
     is_bath,
@@ -33,55 +33,17 @@ from foon_kg.integration.joining.comers import (
     makes_a_sauce,
     phase_in,
     phase_together,
-    thickens,
     unbeaten,
     untoasted,
 )
 from foon_kg.integration.joining.course import HEATS, WORKS, Plan
-from foon_kg.integration.joining.patterns import SIMMER, STIR
+from foon_kg.integration.joining.patterns import STIR
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Phase, Slot, Stage
 
+# a stage that does more (shape, blend, bake) is no cooking in one open vessel, and stays what it is
 _DONE_OVER_HEAT = HEATS | {"mix", "liquid", "move", "fat", "coat"}
-
-
-@dataclass(frozen=True)
-class _Vessel:
-    """What one vessel takes up while it stands over the heat, in the stages of a ``run``.
-
-    ``joins`` are foods by themselves, ``lines`` what is made of foods beside it, ``within`` the foods of both.
-    """
-
-    run: Sequence[Stage]
-    joins: Sequence[Join]
-    lines: Sequence[Line]
-    within: Sequence[Join]
-
-    @property
-    def hot(self) -> list[Stage]:
-        """The stages at which it is heated."""
-        return [stage for stage in self.run if "heat" in stage.does]
-
-    @property
-    def water(self) -> Slot | None:
-        """The free water that its video has in it."""
-        return next((slot for stage in self.run for slot in stage.slots if slot.food == "water"), None)
-
-    def shown(self, *, wet: bool, last: bool) -> Stage | None:
-        """Return the stage that shows how a phase is cooked: one in a liquid (``wet``), or the ``last`` one."""
-        if wet:
-            return next((stage for stage in self.hot if "liquid" in stage.does or "mix" not in stage.does), None)
-        return self.hot[-1] if last else next((stage for stage in self.hot if stage.does >= {"heat", "mix"}), None)
-
-    def pattern(self, parts: Sequence[Sequence[Comer]], *, bath: bool, last: bool) -> Stage:
-        """Return how the last of ``parts`` is cooked; there may be no stage of that kind in the video."""
-        wet = bath and boils(parts[-1])
-        shown = self.shown(wet=wet, last=last)
-        if shown is None:
-            return _done_like(self.hot[-1], SIMMER if wet and not thickens(parts) else STIR)
-        stirred = thickens(parts) if wet else not bath and "liquid" in shown.does
-        return _done_like(shown, STIR) if stirred else shown
 
 
 def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
@@ -98,13 +60,19 @@ def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
 
 
 class _Phaser:
+    """Parts the lines of one dish into phases.
+
+    ``at`` has by the identity of a stage the foods that join there, ``became`` what became of it. ``spot`` says of each
+    food that was moved, by its number, where it joins now; ``order`` are these numbers as the foods come.
+    """
+
     def __init__(self, plan: Plan, known: Tables) -> None:
         self.plan = plan
         self.known = known
         self.order: list[int] = []
         self.became: dict[int, tuple[Stage, ...]] = {}
         self.spot: dict[int, Stage] = {}
-        self.kept: list[Stage] = []  # what is known by its identity must not vanish
+        self.kept: list[Stage] = []  # an identity is only one for as long as the stage lives
         self.at: dict[int, list[Join]] = {}
         for join in plan.joins:
             self.at.setdefault(id(join.spot.stage), []).append(join)
@@ -171,6 +139,7 @@ class _Phaser:
         return replace(join, spot=replace(old, stage=unique[here], after=tuple(unique[here + 1 :])))
 
     def _now(self, stage: Stage) -> Iterator[Stage]:
+        """Yield what became of a stage, and of that again."""
         for one in self.became.get(id(stage), (stage,)):
             if one is stage:
                 yield one
@@ -210,10 +179,10 @@ class _Phaser:
         medium = self._medium(vessel)
         if medium is None:
             return ()
-        comers = self._as_a_whole(self._comers(vessel, adds, medium), vessel.within, bath=medium.bath)
-        return self._stages(vessel, in_parts(comers, ORDER if medium.bath else DRY_ORDER), bath=medium.bath)
+        additions = self._as_a_whole(self._additions(vessel, adds, medium), vessel.within, bath=medium.bath)
+        return self._stages(vessel, in_parts(additions, ORDER if medium.bath else DRY_ORDER), bath=medium.bath)
 
-    def _vessel(self, run: Sequence[Stage], *, sets: bool) -> _Vessel:
+    def _vessel(self, run: Sequence[Stage], *, sets: bool) -> VesselOverHeat:
         """Return what comes together in one vessel; what is mixed beside it may be ``_taken_out`` of that."""
         joins = [join for stage in run for join in self.at.get(id(stage), ())]
         beside = [line for stage in run for line in _lines_at(stage)]
@@ -223,12 +192,12 @@ class _Phaser:
         within = list(joins)
         for line in lines:
             within += self._foods(line)
-        return _Vessel(run, joins, lines, within)
+        return VesselOverHeat(run, joins, lines, within)
 
     def _is_cooked_in_phases(self, foods: Sequence[Join]) -> bool:
         return self.plan.one_pot or any_is(foods, *word_list("is cooked in phases")) or makes_a_sauce(foods)
 
-    def _medium(self, vessel: _Vessel) -> Medium | None:
+    def _medium(self, vessel: VesselOverHeat) -> Medium | None:
         """Return what the foods of a vessel cook in; ``None`` where there is nothing to cook them in."""
         fat = self._has_fat(vessel.within)
         poured = [*vessel.joins, *(join for line in vessel.lines for join in self._bath_of(line))]
@@ -237,7 +206,7 @@ class _Phaser:
         water = self._water(vessel, fat=fat)
         if water is not None:
             return Medium(fat=fat, bath=True, water=water)
-        hot = fat or any_is(vessel.joins, *word_list("is flesh"))  # flesh is fried without
+        hot = fat or any_is(vessel.joins, *word_list("is flesh"))  # flesh has fat of its own
         return Medium(fat=True, bath=False) if hot else None
 
     def _has_fat(self, within: Sequence[Join]) -> bool:
@@ -245,13 +214,13 @@ class _Phaser:
         fats = [join for join in self.plan.joins if join.want.facts.is_a(*word_list("gives fat"))]
         return any(join in within or join.want.facts.is_a("stock") for join in fats)
 
-    def _comers(self, vessel: _Vessel, adds: Mapping[int, Line], medium: Medium) -> list[Comer]:
+    def _additions(self, vessel: VesselOverHeat, adds: Mapping[int, Line], medium: Medium) -> list[Addition]:
         """Return what comes into a vessel, each with its phase; ``adds`` are the lines as they are by now."""
         apart = not self.plan.one_pot
-        water = [Comer(medium.water, None, WET)] if medium.water is not None else []
-        foods = [Comer(join, join.want.facts, phase_in(join, medium, apart=apart)) for join in vessel.joins]
+        water = [Addition(medium.water, None, WET)] if medium.water is not None else []
+        foods = [Addition(join, join.want.facts, phase_in(join, medium, apart=apart)) for join in vessel.joins]
         foods = finishing_fat_last(foods)
-        lines = [Comer(adds[id(line)], None, self._phase_of_line(line, bath=medium.bath)) for line in vessel.lines]
+        lines = [Addition(adds[id(line)], None, self._phase_of_line(line, bath=medium.bath)) for line in vessel.lines]
         return water + foods + lines
 
     def _foods(self, line: Line) -> list[Join]:
@@ -311,7 +280,7 @@ class _Phaser:
             return BINDS if self._has_fat(()) else WET  # what was ground to a paste is fried
         return ""
 
-    def _water(self, vessel: _Vessel, *, fat: bool) -> Slot | None:
+    def _water(self, vessel: VesselOverHeat, *, fat: bool) -> Slot | None:
         """Return the free water of the video where something has to cook in it that is not fried."""
         if any_is(self.plan.joins, "water"):
             return None
@@ -322,21 +291,24 @@ class _Phaser:
             return Slot("water", "water")  # there is no such dish without a liquid
         return vessel.water
 
-    def _as_a_whole(self, comers: Sequence[Comer], within: Sequence[Join], *, bath: bool) -> list[Comer]:
-        """Let grain come with water, and eggs before rice and noodles, but after them in a sauce with cheese."""
+    def _as_a_whole(self, additions: Sequence[Addition], within: Sequence[Join], *, bath: bool) -> list[Addition]:
+        """Return ``additions`` with grain beside water, and eggs before rice and noodles, or after them in a sauce.
+
+        Eggs that set before are scrambled among fried rice; what makes a sauce with cheese must not set.
+        """
         if bath:
-            return untoasted(comers)
+            return untoasted(additions)
         eaten_with_a_sauce = any_is(within, *word_list("is eaten with a sauce"))
         first = eaten_with_a_sauce and not any_is(within, *word_list("makes a sauce with eggs"))
         eggs = EGGS_FIRST if first else EGGS
-        return [replace(one, phase=eggs) if self._is_egg(one) else one for one in comers]
+        return [replace(one, phase=eggs) if self._is_egg(one) else one for one in additions]
 
-    def _is_egg(self, comer: Comer) -> bool:
-        if comer.facts is not None:
-            return comer.facts.is_a("egg")
-        return isinstance(comer.what, Line) and any_is(self._foods(comer.what), "egg")
+    def _is_egg(self, addition: Addition) -> bool:
+        if addition.facts is not None:
+            return addition.facts.is_a("egg")
+        return isinstance(addition.what, Line) and any_is(self._foods(addition.what), "egg")
 
-    def _stages(self, vessel: _Vessel, parts: Sequence[Sequence[Comer]], *, bath: bool) -> tuple[Stage, ...]:
+    def _stages(self, vessel: VesselOverHeat, parts: Sequence[Sequence[Addition]], *, bath: bool) -> tuple[Stage, ...]:
         """Return a stage for each of ``parts``, the foods of which join there; the last is what the run has made."""
         small = bath or any_is(vessel.within, "egg", *word_list("is eaten with a sauce"))
         stages: list[Stage] = []
@@ -348,12 +320,12 @@ class _Phaser:
             self._place(part, phase)
         return tuple(stages)
 
-    def _place(self, part: Sequence[Comer], phase: Phase) -> None:
+    def _place(self, part: Sequence[Addition], phase: Phase) -> None:
         """Let the foods of ``part`` join at ``phase``, in their order."""
-        for comer in part:
-            if isinstance(comer.what, Join):
-                self.spot[comer.what.want.number] = phase
-                self.order.append(comer.what.want.number)
+        for addition in part:
+            if isinstance(addition.what, Join):
+                self.spot[addition.what.want.number] = phase
+                self.order.append(addition.what.want.number)
 
 
 def _lines_at(stage: Stage) -> Iterable[Line]:
@@ -369,18 +341,13 @@ def _is_mixed_cold(line: Line) -> bool:
     return all(stage.does <= {"mix", "move", "whip"} for stage in line.stages)
 
 
-def _as_phase(pattern: Stage, part: Sequence[Comer], end: Stage | None, *, bath: bool, small: bool) -> Phase:
-    slots = [comer.what.slot if isinstance(comer.what, Join) else comer.what for comer in part]
+def _as_phase(pattern: Stage, part: Sequence[Addition], end: Stage | None, *, bath: bool, small: bool) -> Phase:
+    slots = [addition.what.slot if isinstance(addition.what, Join) else addition.what for addition in part]
     return Phase(
         tuple(slot for slot in slots if slot is not None), pattern.motion, pattern.does, pattern.tools, pattern.vessel,
         pattern.relation, pattern.appliance, pattern.source, end.label if end else "", end.states if end else (),
         pattern.step, bath=bath, small=small,
     )  # fmt: skip
-
-
-def _done_like(stage: Stage, pattern: Stage) -> Stage:
-    """Return a stage in its own vessel, cooked by the motion of ``pattern``."""
-    return replace(stage, motion=pattern.motion, does=pattern.does, tools=pattern.tools)
 
 
 def _has_to_boil_here(want: Want) -> bool:

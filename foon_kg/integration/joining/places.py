@@ -28,18 +28,32 @@ _SHAPED = word_list("dough that is shaped")
 
 _SAME_KIND, _SURE, _OTHER_KIND = 0.6, 0.8, 0.7
 """How well a food fits where one of its kind is; from which confidence on its kind does not matter; what a confidence
-is worth where it is of another kind."""
+is worth where it is of another kind.
+
+So a food of the same kind is always natural (:data:`~.spots.NATURAL`), one of another kind and role only if it is sure
+to 0.72."""
 
 
 _AS_USUAL = 0.75
 """How usual a place must be for a kind, beside its most usual one in that dish, to be taken for a like food."""
 
 _SURELY = 0.99
+"""From this fit on the slot is that of the very food, under one of its names."""
+
 _SAME_ROLE = 0.55
 """How well a food fits where another one is that defines the dish as it does: one vegetable for another."""
 
+_UNSEEN, _SEEN = 0.6, 0.4
+"""What a place is worth in any case, and what it is worth besides as far as such a food is usual there."""
+
+_UNCOOKED, _COLD, _SLOW, _DRAINED = 0.3, 0.3, 0.3, 0.4
+"""How the likelihood of a stage changes for a food without a slot.
+
+It falls if no heat comes any more: for what has to be cooked, and in a hot dish for all that does not join late. For
+flesh, which takes long, it rises with the heat to come. It falls where the liquid is poured away later."""
+
 MOST_JOINED = 256
-"""For how many dishes it is kept where a food joins."""
+"""For how many dishes it is kept where a food joins: some questions' worth of sixteen frames each."""
 
 
 def _lies_on(layout: Layout, want: Want, best: Join, known: Tables) -> bool:
@@ -64,11 +78,11 @@ def _is_worked_in_or_late(join: Join | None) -> bool:
 def _weighed(fit: float, layout: Layout, food: Joiner, spot: Spot) -> float:
     """Return how usual a stage is (``fit``), less where no heat comes that a food must or may have."""
     if not spot.heats_later:
-        fit -= (0.3 if food.due else 0.0) + (0.3 if layout.heats and not food.late else 0.0)
+        fit -= (_UNCOOKED if food.due else 0.0) + (_COLD if layout.heats and not food.late else 0.0)
     if food.slow:
-        fit += 0.3 * spot.heats / layout.hottest
+        fit += _SLOW * spot.heats / layout.hottest
     if id(spot) in layout.drained:
-        fit -= 0.4
+        fit -= _DRAINED
     return fit
 
 
@@ -111,6 +125,11 @@ class Matcher:
         return Join(want, found.spot, found.fit, found.slot)
 
     def _join(self, layout: Layout, food: Joiner, *, stacked: bool) -> Join:
+        """Return where a food joins a dish: where its like does, if there is such, else where the dish has room for it.
+
+        What is bought ready takes the place of all that makes it, so that comes first; how the dish is made overrules
+        the slot of a like food, and is asked again, by other rules, where there is none.
+        """
         bought = self._in_place_of(layout, food.want) if food.ready_made else None
         if bought is not None:
             return bought
@@ -127,7 +146,10 @@ class Matcher:
         return self._usual(layout, food) if spot is None else food.at(spot)
 
     def _rather_than(self, best: Join | None, layout: Layout, food: Joiner, *, stacked: bool) -> Spot | None:
-        """Return where a food joins whatever place such a food has in the dish: on bread, at the plate, in the pan."""
+        """Return where a food joins whatever place such a food has in the dish: on bread, at the plate, in the pan.
+
+        ``best`` is that place; ``stacked``: the dish is put together on bread.
+        """
         want = food.want
         if stacked and (best is None or _lies_on(layout, want, best, self.known)) and self._is_stacked(layout, want):
             return layout.spots[-1]
@@ -165,7 +187,7 @@ class Matcher:
     def _natural(self, layout: Layout, food: Joiner) -> Join | None:
         """Return the slot that such a food has there: the likest, the first of equally like ones."""
         found: Place | None = None
-        most = NATURAL - 1e-9
+        most = NATURAL - 1e-9  # a fit of just that is natural
         needs = self._needs_of(food, layout.frame.dish_type)
         usual = max((self.posts.likely(food.want, post, layout.frame.dish_type) for post in layout.posts), default=0.0)
         for place in layout.places:
@@ -196,7 +218,7 @@ class Matcher:
         if food.main and place.main and place.spot is layout.bound:
             return 1.0  # patties are made of whatever they are made of
         ratio = self.posts.likely(food.want, place.spot.post, layout.frame.dish_type) / usual if usual else 1.0
-        return 0.6 + 0.4 * ratio if ratio >= _AS_USUAL else 0.0
+        return _UNSEEN + _SEEN * ratio if ratio >= _AS_USUAL else 0.0
 
     def _usual(self, layout: Layout, food: Joiner) -> Join:
         """Return the stage at which foods of its kind join, most likely one that still cooks what must be cooked."""
@@ -208,7 +230,8 @@ class Matcher:
             if spot.post[0] == "top" and not food.tops:
                 continue
             likely = self.posts.likely(want, spot.post, dish_type)
-            fit = min(likely * (0.6 + 0.4 * self.posts.company(want.facts.kind, spot.kinds)), UNNATURAL)
+            company = self.posts.company(want.facts.kind, spot.kinds)
+            fit = min(likely * (_UNSEEN + _SEEN * company), UNNATURAL)
             score = _weighed(fit, layout, food, spot)
             if score > best:
                 found, most, best = spot, fit, score
@@ -220,10 +243,10 @@ class Matcher:
         dough = want.facts.is_a("dough")
         found = None
         ready = not _SHAPED.isdisjoint(own)
-        for words, is_dough, shaped, label, following in layout.made:
-            later = is_dough and (ready or not shaped) and "heat" not in following.stage.does
-            if (words <= own or (dough and is_dough)) and (found is None or later):
-                found = Join(want, following, IN_PLACE, Slot(label, want.facts.kind))
+        for made in layout.made:
+            later = made.is_dough and (ready or not made.shaped) and "heat" not in made.taken_at.stage.does
+            if (made.words <= own or (dough and made.is_dough)) and (found is None or later):
+                found = Join(want, made.taken_at, IN_PLACE, Slot(made.label, want.facts.kind))
         return found
 
     def _needs_of(self, food: Joiner, dish_type: str) -> frozenset[str]:
@@ -235,6 +258,7 @@ class Matcher:
         return found
 
     def _fitting(self, food: Joiner, slot: Slot) -> float:
+        """Return how well (0 to 1) a food takes the place of that of a ``slot``, whatever the dish."""
         facts = food.want.facts
         if slot.food in {food.name, facts.taken_for}:
             return 1.0

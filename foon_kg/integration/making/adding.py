@@ -11,7 +11,7 @@ from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.alone import Alone
 from foon_kg.integration.making.placing import Placing
 from foon_kg.integration.making.smoothing import Smoothing
-from foon_kg.integration.making.turns import Comers, Turn
+from foon_kg.integration.making.turns import Incoming, Turn
 from foon_kg.integration.teaching.frames import BATH, Stage
 
 
@@ -30,10 +30,10 @@ class Adding:
         self.work = placing.work
         self.smoothing = Smoothing(self.bench, self.plan, self.carry, self.work, self.ready)
 
-    def add_all(self, turn: Turn, vessel: Vessel, comers: Comers) -> None:
-        """Bring the ``comers`` of a stage, what joins in this ``turn``, into its vessel; the last may end the dish."""
+    def add_all(self, turn: Turn, vessel: Vessel, incoming: Incoming) -> None:
+        """Bring what is ``incoming`` in a ``turn`` into the ``vessel`` of its stage; the last may end it."""
         on_stove = self.placing.is_on_stove(turn.stage, vessel)
-        ordered = self.placing.ordered(turn.stage, comers)
+        ordered = self.placing.ordered(turn.stage, incoming)
         if self.stages.water(turn.stage) and not self._is_watered(vessel):
             self.carry.water.add(vessel)
         hot_first = on_stove and self._is_hot_first(turn.stage, vessel, ordered)
@@ -47,7 +47,7 @@ class Adding:
             if self._is_tossed(turn, vessel, one, came):
                 self.work.toss(vessel)
             elif completes and one is ordered[-1]:
-                self._complete(turn, vessel, one, comers.joins)
+                self._complete(turn, vessel, one, incoming.joins)
 
     def _is_watered(self, vessel: Vessel) -> bool:
         return any(self.known.foods.food(stuff.label).is_a("water") for stuff in vessel.contents if not stuff.mixed)

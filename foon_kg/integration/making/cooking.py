@@ -30,7 +30,7 @@ from foon_kg.integration.making.readying import Readying
 from foon_kg.integration.making.serving import Serving
 from foon_kg.integration.making.stacking import Stacking
 from foon_kg.integration.making.stages import Stages
-from foon_kg.integration.making.turns import Comers, Turn, lines_at, turns_of
+from foon_kg.integration.making.turns import Incoming, Turn, lines_at, turns_of
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.preparing.preparer import Preparer
@@ -179,35 +179,35 @@ class Cooking:
         stage = turn.stage
         joins = self.serving.in_layers(self.course.ordered(stage))
         beside = _made_for(stage, made)
-        comers = Comers(joins, [*(one for _, one in beside), *self.lifting.returned(stage)])
-        if vessel is None and not comers:
+        incoming = Incoming(joins, [*(one for _, one in beside), *self.lifting.returned(stage)])
+        if vessel is None and not incoming:
             return None
         stacked = turn.main and self.plan.stacked and self.stacking.is_put_together(stage, joins, turn.later)
         if stacked:
-            self._take_all(turn.later, comers, made)
-        self._cook_base_now(comers.joins, [*comers.lines, vessel])
+            self._take_all(turn.later, incoming, made)
+        self._cook_base_now(incoming.joins, [*incoming.lines, vessel])
         if stacked:
-            return self.stacking.stack(stage, vessel, comers)
+            return self.stacking.stack(stage, vessel, incoming)
         self.alone.cooling.before(stage, vessel, beside, turn.later)
-        if self.dipping.is_for(stage, vessel, comers):
-            return self.dipping.done(stage, vessel, comers)
-        return self._brought_and_done(turn, vessel, comers)
+        if self.dipping.is_for(stage, vessel, incoming):
+            return self.dipping.done(stage, vessel, incoming)
+        return self._brought_and_done(turn, vessel, incoming)
 
-    def _take_all(self, later: Sequence[Stage], comers: Comers, made: dict[int, Vessel]) -> None:
+    def _take_all(self, later: Sequence[Stage], incoming: Incoming, made: dict[int, Vessel]) -> None:
         """Have all that joins later come now."""
         for one in later:
-            comers.joins += self.course.taken(one)
-            comers.lines += [made.pop(id(add)) for add in lines_at(one) if id(add) in made]
+            incoming.joins += self.course.taken(one)
+            incoming.lines += [made.pop(id(add)) for add in lines_at(one) if id(add) in made]
 
-    def _brought_and_done(self, turn: Turn, vessel: Vessel | None, comers: Comers) -> Vessel | None:
+    def _brought_and_done(self, turn: Turn, vessel: Vessel | None, incoming: Incoming) -> Vessel | None:
         """Bring what joins a stage to what is in ``vessel``, do what it does, and return in what that is then."""
         stage = turn.stage
-        if vessel is not None and turn.main and not comers and self.stages.stays_there(stage, vessel, turn.later):
+        if vessel is not None and turn.main and not incoming and self.stages.stays_there(stage, vessel, turn.later):
             return vessel
-        dressed = self._is_dressed(turn, vessel, comers)
-        vessel = self.placing.placed(turn, vessel, comers, dressed=dressed)
-        tops = comers.take(self.serving.lies_on_top) if dressed else []
-        self.adding.add_all(replace(turn, main=turn.main and not dressed), vessel, comers)
+        dressed = self._is_dressed(turn, vessel, incoming)
+        vessel = self.placing.placed(turn, vessel, incoming, dressed=dressed)
+        tops = incoming.take(self.serving.lies_on_top) if dressed else []
+        self.adding.add_all(replace(turn, main=turn.main and not dressed), vessel, incoming)
         if not vessel.contents:
             return None
         if dressed:
@@ -218,10 +218,10 @@ class Cooking:
         self.doing.do(turn, vessel)
         return self.doing.take_out(turn, vessel)
 
-    def _is_dressed(self, turn: Turn, vessel: Vessel | None, comers: Comers) -> bool:
+    def _is_dressed(self, turn: Turn, vessel: Vessel | None, incoming: Incoming) -> bool:
         """Whether what joins a stage dresses a dish that is done; one food alone has nothing to be mixed with."""
-        alone = vessel is None and not comers.lines and len(comers.joins) == 1
-        return turn.main and not alone and self.serving.is_dressed(turn.stage, vessel, comers.joins, turn.later)
+        alone = vessel is None and not incoming.lines and len(incoming.joins) == 1
+        return turn.main and not alone and self.serving.is_dressed(turn.stage, vessel, incoming.joins, turn.later)
 
 
 def _made_for(stage: Stage, made: Mapping[int, Vessel]) -> list[tuple[Line, Vessel]]:

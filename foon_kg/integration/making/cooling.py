@@ -38,12 +38,12 @@ class Cooling:
 
         That is neither by ``stage`` nor by a ``later`` one.
         """
-        comers = len(self.course.ordered(stage)) + len(beside)
-        if not self.plan.cooled or not comers or _is_any_hot((stage, *later)):
+        incoming = len(self.course.ordered(stage)) + len(beside)
+        if not self.plan.cooled or not incoming or _is_any_hot((stage, *later)):
             return
         if vessel is not None and self.course.is_hot(stage):
             self._cool_all(vessel)
-        for line, made in beside if vessel is not None or comers > 1 else ():
+        for line, made in beside if vessel is not None or incoming > 1 else ():
             if _is_any_hot(line.all_stages()):
                 self._cool_all(made)
 

@@ -11,7 +11,7 @@ from foon_kg.integration.joining.course import COATS
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.hands import Hands
 from foon_kg.integration.making.outcome import MIXTURE
-from foon_kg.integration.making.turns import Comers, without
+from foon_kg.integration.making.turns import Incoming, without
 from foon_kg.integration.teaching.frames import Stage
 
 _COATS = word_list("coats dry") | word_list("coats wet") | word_list("clings to what is coated")
@@ -20,34 +20,34 @@ _COATS = word_list("coats dry") | word_list("coats wet") | word_list("clings to 
 class Dipping(Hands):
     """Dips the foods of one dish on a bench."""
 
-    def is_for(self, stage: Stage, vessel: Vessel | None, comers: Comers) -> bool:
-        """Return whether a stage turns what is in ``vessel``, or a comer, in a coat: there may be none for it.
+    def is_for(self, stage: Stage, vessel: Vessel | None, incoming: Incoming) -> bool:
+        """Return whether a stage turns what is in ``vessel``, or what joins, in a coat: there may be none for it.
 
-        ``comers`` are what joins the stage.
+        ``incoming`` is what joins the stage.
         """
         if stage.does != COATS or stage.motion not in word_list("is turned in by"):
             return False
         if vessel is not None:
-            return bool(comers)
-        own = any(not self._is_coat(join.want.facts) for join in comers.joins)
-        return own or any(map(self._is_dipped, comers.lines))
+            return bool(incoming)
+        own = any(not self._is_coat(join.want.facts) for join in incoming.joins)
+        return own or any(map(self._is_dipped, incoming.lines))
 
-    def done(self, stage: Stage, vessel: Vessel | None, comers: Comers) -> Vessel:
-        """Dip what is in ``vessel``, or the ``comers`` of ``stage``, and return what it lies on then.
+    def done(self, stage: Stage, vessel: Vessel | None, incoming: Incoming) -> Vessel:
+        """Dip what is in ``vessel``, or is ``incoming`` at ``stage``, and return what it lies on then.
 
         Raises :class:`RefusedError` where a step cannot be done.
         """
-        inside, dipped = ([vessel], []) if vessel is not None else self._dipped(comers)
-        coat = self._coat(stage, without(comers.joins, dipped), without(comers.lines, inside))
+        inside, dipped = ([vessel], []) if vessel is not None else self._dipped(incoming)
+        coat = self._coat(stage, without(incoming.joins, dipped), without(incoming.lines, inside))
         there = self._laid_out(stage, inside, dipped)
         if coat.contents:
             self._coated(stage, there, coat)
         return there
 
-    def _dipped(self, comers: Comers) -> tuple[list[Vessel], list[Join]]:
+    def _dipped(self, incoming: Incoming) -> tuple[list[Vessel], list[Join]]:
         """Return what of all that joins is dipped, and no coat."""
-        foods = [join for join in comers.joins if not self._is_coat(join.want.facts)]
-        return list(filter(self._is_dipped, comers.lines)), foods
+        foods = [join for join in incoming.joins if not self._is_coat(join.want.facts)]
+        return list(filter(self._is_dipped, incoming.lines)), foods
 
     def _is_coat(self, facts: Food) -> bool:
         return facts.is_a(*_COATS)

@@ -15,7 +15,7 @@ from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.consistency import is_wet
 from foon_kg.integration.making.hands import Hands
 from foon_kg.integration.making.stages import Stages
-from foon_kg.integration.making.turns import Comers, Turn, lines_at
+from foon_kg.integration.making.turns import Incoming, Turn, lines_at
 from foon_kg.integration.making.utensils import Utensils
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
@@ -34,16 +34,16 @@ class Placing(Hands):
 
     # --- the vessel of a stage ---
 
-    def placed(self, turn: Turn, vessel: Vessel | None, comers: Comers, *, dressed: bool) -> Vessel:
+    def placed(self, turn: Turn, vessel: Vessel | None, incoming: Incoming, *, dressed: bool) -> Vessel:
         """Return the vessel of a stage with what was in ``vessel``, where it stands when something joins.
 
         ``dressed``: what joins is mixed with a dish that is done. What comes into the fresh vessel before all else is
-        taken out of ``comers``.
+        taken out of ``incoming``.
         """
         stage = turn.stage
         device, relation = self.utensils.device_for(stage)
-        label = self._label_for(stage, vessel, comers, dressed=dressed)
-        placed = self._vessel_for(stage, label, vessel, comers)
+        label = self._label_for(stage, vessel, incoming, dressed=dressed)
+        placed = self._vessel_for(stage, label, vessel, incoming)
         heats = self._is_heated(stage)
         stays = heats and placed.device is not None and placed.device.label == device
         if not stays and not self.stages.heats_on(stage, turn.later, placed):
@@ -73,13 +73,13 @@ class Placing(Hands):
                 self.bring(join, vessel)
         self.bench.place(vessel, device, "on")
 
-    def _label_for(self, stage: Stage, vessel: Vessel | None, comers: Comers, *, dressed: bool) -> str:
+    def _label_for(self, stage: Stage, vessel: Vessel | None, incoming: Incoming, *, dressed: bool) -> str:
         """Return what a stage is done in: in the frame's vessel, where that suits what comes into it."""
         device, relation = self.utensils.device_for(stage)
         label = self.utensils.vessel_label(stage, vessel, device)
-        comes = vessel if vessel is not None else next(iter(comers.lines), None)
+        comes = vessel if vessel is not None else next(iter(incoming.lines), None)
         if comes is None:
-            label = self.bakeware.deep_for(label, [join.want for join in comers.joins])
+            label = self.bakeware.deep_for(label, [join.want for join in incoming.joins])
         elif label != comes.label:
             label = self.bakeware.tin_for(label, comes, in_oven=relation == "in")
         if not is_flat(label) or self.stages.lies_baked(vessel):
@@ -92,20 +92,20 @@ class Placing(Hands):
             return False
         return self._is_wet(vessel)
 
-    def _vessel_for(self, stage: Stage, label: str, vessel: Vessel | None, comers: Comers) -> Vessel:
+    def _vessel_for(self, stage: Stage, label: str, vessel: Vessel | None, incoming: Incoming) -> Vessel:
         """Return the vessel of a stage, called ``label``, with what was in ``vessel``.
 
         Where nothing was yet, that of what joins serves.
         """
         if vessel is None:
-            return self._first_vessel(stage, label, comers)
+            return self._first_vessel(stage, label, incoming)
         if vessel.label == label:
             return vessel
         self.bench.heat_off(vessel)
         fresh = self.bench.vessel(label)
         device, relation = self.utensils.device_for(stage)
         self._stand(fresh, stage, device if relation == "on" else "")
-        under = self._lay_under(stage, fresh, comers)
+        under = self._lay_under(stage, fresh, incoming)
         if not under:
             self.grease(fresh, vessel)
         hot_first = under or not self._is_wet(vessel)
@@ -115,9 +115,9 @@ class Placing(Hands):
         self.carry.transfer(vessel, fresh, stage, whole=self.stages.lies_baked(vessel) or stage.does == {"cut"})
         return fresh
 
-    def _lay_under(self, stage: Stage, fresh: Vessel, comers: Comers) -> bool:
+    def _lay_under(self, stage: Stage, fresh: Vessel, incoming: Incoming) -> bool:
         """Bring into a fresh vessel what comes there before what is cooked in it; return whether anything does."""
-        under = comers.take(self._lies_under) if self._bakes(fresh.label) else []
+        under = incoming.take(self._lies_under) if self._bakes(fresh.label) else []
         for join in under:
             self.bring(join, fresh)
             self.course.at[id(stage)].remove(join)
@@ -135,17 +135,17 @@ class Placing(Hands):
         under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
         return join.layer < 0 or join.want.facts.is_a(*under)
 
-    def _first_vessel(self, stage: Stage, label: str, comers: Comers) -> Vessel:
+    def _first_vessel(self, stage: Stage, label: str, incoming: Incoming) -> Vessel:
         """Return a vessel for what begins: that of a line or of a food that is in such a one, else a fresh one."""
         device, _ = self.utensils.device_for(stage)
-        first = next(iter(comers.lines), None)
+        first = next(iter(incoming.lines), None)
         if first is not None and first.label == label and (first.device is None or first.device.label == device):
-            return comers.lines.pop(0)
-        return self._own_vessel(label, comers) or self._pan_with_fat(label) or self.bench.vessel(label)
+            return incoming.lines.pop(0)
+        return self._own_vessel(label, incoming) or self._pan_with_fat(label) or self.bench.vessel(label)
 
-    def _own_vessel(self, label: str, comers: Comers) -> Vessel | None:
-        """Return the vessel ``label`` in which one of ``comers`` was cooked before: the rest comes to it."""
-        for join in comers.joins:
+    def _own_vessel(self, label: str, incoming: Incoming) -> Vessel | None:
+        """Return the vessel ``label`` in which an ``incoming`` food was cooked before: the rest comes to it."""
+        for join in incoming.joins:
             own = self.ready[join.want.number].stuff.at
             if own is not None and own.label == label and not own.storage and len(own.contents) == 1:
                 return own
@@ -187,12 +187,12 @@ class Placing(Hands):
 
     # --- what comes into it ---
 
-    def ordered(self, stage: Stage, comers: Comers) -> list[Join | Vessel]:
-        """Return the ``comers`` of a stage in its order: foods, and vessels in which other lines were made."""
+    def ordered(self, stage: Stage, incoming: Incoming) -> list[Join | Vessel]:
+        """Return what is ``incoming`` at a stage in its order: foods, and vessels in which other lines were made."""
         found: list[Join | Vessel] = []
-        waiting = list(comers.lines)
+        waiting = list(incoming.lines)
         heats = self._is_heated(stage)
-        for join in comers.joins:
+        for join in incoming.joins:
             if not _comes_before_lines(join, stage) and not (heats and join.want.facts.is_a("fat")):
                 found += waiting
                 waiting = []

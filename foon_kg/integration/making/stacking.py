@@ -11,7 +11,7 @@ from foon_kg.integration.joining.course import WORKS
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.hands import Hands
 from foon_kg.integration.making.outcome import MIXTURE
-from foon_kg.integration.making.turns import Comers, without
+from foon_kg.integration.making.turns import Incoming, without
 from foon_kg.integration.teaching.frames import Stage
 
 _SLICES = word_list("carries what is stacked")
@@ -33,26 +33,26 @@ class Stacking(Hands):
         works = any(not one.does.isdisjoint(WORKS) for one in (stage, *later))
         return not works and any(join.slot is None or join.want.facts.is_a(*_SLICES) for join in joins)
 
-    def stack(self, stage: Stage, vessel: Vessel | None, comers: Comers) -> Vessel:
-        """Put a dish together on a plate and return what it is on: what is in ``vessel``, and the stage's ``comers``.
+    def stack(self, stage: Stage, vessel: Vessel | None, incoming: Incoming) -> Vessel:
+        """Put a dish together on a plate and return what it is on: what is in ``vessel`` and ``incoming`` at ``stage``.
 
         Bread comes first and what is spread on it, then what was made and the rest, and bread again; a spread with
         pieces is mixed before. What is fried as a whole gets its fat in the pan.
         """
         plate = self._plate(vessel)
-        slices = comers.take(self._is_slice)
-        fats = comers.take(self._is_fat) if self.plan.grilled else []
+        slices = incoming.take(self._is_slice)
+        fats = incoming.take(self._is_fat) if self.plan.grilled else []
         bowl = self.bench.vessel("bowl")
-        made = comers.lines if vessel is None or vessel is plate else [*comers.lines, vessel]
-        self._mix_what_binds(comers, bowl)
-        self._stir_into(made, comers)
+        made = incoming.lines if vessel is None or vessel is plate else [*incoming.lines, vessel]
+        self._mix_what_binds(incoming, bowl)
+        self._stir_into(made, incoming)
         closing = [join for join in slices if self._lay_below(join, plate)]
-        for join in comers.take(self._is_smeared):
+        for join in incoming.take(self._is_smeared):
             self._smear(join, plate)
         for one in filter(_is_full, (*made, bowl)):
             self.bench.heat_off(one)
             self.carry.transfer(one, plate, stage)
-        self._lay_on(plate, comers.joins)
+        self._lay_on(plate, incoming.joins)
         for join in closing:
             self._bring_as_usual(join, plate)
         self.work.name(plate, self.plan.label)
@@ -71,10 +71,10 @@ class Stacking(Hands):
     def _is_fat(join: Join) -> bool:
         return join.want.facts.is_a("fat")
 
-    def _mix_what_binds(self, comers: Comers, bowl: Vessel) -> None:
-        """Mix pieces with the spread that binds them in a bowl; they are taken out of ``comers``."""
-        mixed = self._bound(comers.joins)
-        comers.joins = without(comers.joins, mixed)
+    def _mix_what_binds(self, incoming: Incoming, bowl: Vessel) -> None:
+        """Mix pieces with the spread that binds them in a bowl; they are taken out of ``incoming``."""
+        mixed = self._bound(incoming.joins)
+        incoming.joins = without(incoming.joins, mixed)
         for join in mixed:
             self._bring_as_usual(join, bowl)
         if len(mixed) > 1:
@@ -154,12 +154,12 @@ class Stacking(Hands):
         """Whether a food is in small pieces, and is no layer of its own."""
         return self._is_small(join) and not join.want.facts.is_a(*_LAYERS)
 
-    def _stir_into(self, made: Sequence[Vessel], comers: Comers) -> None:
-        """Stir small pieces into the creamy mixture that a video makes; they are taken out of ``comers``."""
+    def _stir_into(self, made: Sequence[Vessel], incoming: Incoming) -> None:
+        """Stir small pieces into the creamy mixture that a video makes; they are taken out of ``incoming``."""
         bowl = next(filter(self._is_creamy, made), None)
         if bowl is None:
             return
-        stirred = [*comers.take(self._is_in_small_pieces), *comers.take(self._only_seasons)]
+        stirred = [*incoming.take(self._is_in_small_pieces), *incoming.take(self._only_seasons)]
         for join in stirred:
             self._bring_as_usual(join, bowl)
         if stirred:

@@ -66,7 +66,7 @@ def without(things: Iterable[_Thing], others: Collection[_Thing]) -> list[_Thing
 
 
 @dataclass
-class Comers:
+class Incoming:
     """What joins a stage: foods, and vessels in which other lines were made; what came is taken out."""
 
     joins: list[Join]

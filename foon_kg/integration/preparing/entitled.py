@@ -22,10 +22,10 @@ def as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> 
 
     ``known`` are the tables, ``operators`` what the FOON shows.
     """
-    told = words(title)
-    if _is_called_mashed(want, told):
+    title_words = words(title)
+    if _is_called_mashed(want, title_words):
         return replace(want, then=min(word_list("is mashed so")))
-    for before in _before_it(want, told):
+    for before in _before_it(want, title_words):
         if _says_more(before, want, known):
             found = _as_called(want, before, known, operators)
             if found is not None:
@@ -33,12 +33,12 @@ def as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> 
     return want
 
 
-def _is_called_mashed(want: Want, told: Sequence[str]) -> bool:
+def _is_called_mashed(want: Want, title_words: Sequence[str]) -> bool:
     """Whether a dish is called so that a food is mashed in it: by a word after its name, or as what covers it."""
     mash, heads = word_list("is mash"), words(want.label)[-1:]
-    if any(head in heads and word in mash for head, word in itertools.pairwise(told)):
+    if any(head in heads and word in mash for head, word in itertools.pairwise(title_words)):
         return True
-    covers = not word_list("is covered with mash").isdisjoint(told)
+    covers = not word_list("is covered with mash").isdisjoint(title_words)
     return covers and not want.cooked and want.facts.is_a(*word_list("covers a dish when it is mashed"))
 
 
@@ -62,17 +62,17 @@ def _as_called(want: Want, state: str, known: Tables, operators: Operators) -> W
     return replace(want, then=state) if row.fineness >= POWDER and {"cook", "boil"} & owes.keys() else None
 
 
-def _before_it(want: Want, told: Sequence[str]) -> Iterator[str]:
+def _before_it(want: Want, title_words: Sequence[str]) -> Iterator[str]:
     """Yield the words of a title before the name of a food, of which the last word is enough there (breast)."""
     own = words(want.label)
-    for place, word in enumerate(told):
+    for place, word in enumerate(title_words):
         if word not in own[-1:]:
             continue
         first = place
-        while first and told[first - 1] in own[:-1]:
+        while first and title_words[first - 1] in own[:-1]:
             first -= 1
         if first:
-            yield told[first - 1]
+            yield title_words[first - 1]
 
 
 def is_bought_so(row: State, state: str, operators: Operators) -> bool:
@@ -120,11 +120,11 @@ def _pressed(want: Want, operators: Operators) -> Want:
     return replace(want, make=JUICE, squeezed=True) if operators.giving.get(JUICE) else want
 
 
-def _comes_canned(want: Want, wants: Collection[Want], told: Collection[str]) -> bool:
+def _comes_canned(want: Want, wants: Collection[Want], title_words: Collection[str]) -> bool:
     """Whether a food that is too much work for a dish of many others is taken out of a can."""
     basis = word_list("a dish is built on") | word_list("a cold dish is built on")
     others = any(one.facts.is_a(*basis) for one in wants)
-    own = not word_list("is eaten with a knife").isdisjoint(told)
+    own = not word_list("is eaten with a knife").isdisjoint(title_words)
     return others and not own and want.facts.is_a(*word_list("is canned for a dish"))
 
 

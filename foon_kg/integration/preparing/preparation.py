@@ -58,12 +58,12 @@ class Want:
     ``leaf`` are the states in which the kitchen has it, in ``storage`` (``""``: free). ``make`` is the asked state that
     somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
     (``None``: it was taken at its word). ``squeezed``: only its juice is used. ``bought_so``: no kitchen of this FOON
-    makes what is asked (smoked, pickled).
-    ``at_hand``: somebody has it in the asked state. ``then`` is what is made of it once it is cooked (mashed).
-    ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes out of an oven. ``part`` is
-    for what of the dish the recipe says that it is, ``places`` are those at which it lists it. ``told`` are the asked
-    states where there are several (:func:`~foon_kg.food.told_states.in_turn`). ``of`` is the food that comes apart
-    when it is opened, and of which this is a part.
+    makes what is asked (smoked, pickled). ``at_hand``: somebody has it in the asked state. ``then`` is what is made of
+    it once it is cooked (mashed). ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes
+    out of an oven. ``part`` is for what of the dish the recipe says that it is, ``places`` are those at which it lists
+    it. ``as_written`` is what the recipe says of its state, where that is several things
+    (:func:`~foon_kg.food.told_states.in_turn`). ``of`` is the food that comes apart when it is opened, and of which
+    this is a part.
     """
 
     number: int
@@ -82,7 +82,7 @@ class Want:
     foamed: bool = False
     roasted: bool = False
     part: str = ""
-    told: str = ""
+    as_written: str = ""
     of: Want | None = None
     places: tuple[int, ...] = field(default=(), compare=False)
 

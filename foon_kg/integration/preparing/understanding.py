@@ -53,16 +53,16 @@ def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Ope
     *before, last = in_turn(asked_state(in_turn(one.state), known)) or ("",)
     want = understood(number, replace(one, state=last), known, operators)
     if not before:
-        return replace(want, told=one.state) if want.asked != one.state else want
+        return replace(want, as_written=one.state) if want.asked != one.state else want
     first = understood(number, replace(one, state=before[-1]), known, operators)
     if want.cooked and _divides(first.make, known):
-        return replace(first, cooked=True, told=one.state)
+        return replace(first, cooked=True, as_written=one.state)
     divided = want.make if _divides(want.make, known) else ""
     if first.cooked:
-        return replace(first, then=divided, told=one.state)
+        return replace(first, then=divided, as_written=one.state)
     if before[-1] in word_list("is in a can"):
-        return replace(first, make=divided, told=one.state)
-    return replace(want, told=one.state)
+        return replace(first, make=divided, as_written=one.state)
+    return replace(want, as_written=one.state)
 
 
 def _divides(state: str, known: Tables) -> bool:

@@ -10,21 +10,34 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import Food, words
 from foon_kg.food.lists import word_list
+from foon_kg.integration.joining.patterns import SIMMER, STIR
 from foon_kg.integration.joining.spots import Join, any_is
-from foon_kg.integration.teaching.frames import Line, Slot
+from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
 _BATHS = tuple(word_list("is a bath"))
 ORDER = ("is fried", "is stirred into the fat", "cooks in the liquid", "is done soon", "is stirred in last")
+"""The phases of a vessel with a liquid in it: each is the name of the list of foods that join then."""
+
 FRIED, BINDS, WET, SOON, LAST = ORDER
+
 EGGS_FIRST, EGGS = "eggs before what is boiled", "eggs"
+"""The phases of eggs in a pan: before rice and noodles, which hold them together, or after them."""
+
 DRY_ORDER = (FRIED, BINDS, SOON, EGGS_FIRST, WET, EGGS, LAST)
+"""The phases of a pan without a liquid: what was boiled by itself (``WET``) only gets hot among the rest."""
+
 _CURDLES = word_list("curdles what is creamy")
+
 _MOST_TELLING = (LAST, SOON, BINDS, FRIED, WET)
+"""In which order the lists are asked for a food that stands in several: what is spoilt by cooking comes before all."""
 
 
 @dataclass(frozen=True)
-class Comer:
-    """What joins a vessel over the heat: an asked food, a line, or water that nobody asked for."""
+class Addition:
+    """What joins a vessel over the heat: an asked food, a line, or water that nobody asked for.
+
+    ``facts`` are those of the food (``None`` for a line and for water), ``phase`` is one of :data:`ORDER`.
+    """
 
     what: Join | Line | Slot
     facts: Food | None
@@ -32,7 +45,10 @@ class Comer:
 
     @property
     def rank(self) -> tuple[bool, bool, bool, bool]:
-        """Its place within its phase: fat first, then what takes longest, seasoning at the end, and what is sour."""
+        """Its place within its phase: fat first, then what takes longest, seasoning at the end, and what is sour.
+
+        A line, of which there are no facts, comes after the foods that take long and before what seasons.
+        """
         facts = self.facts
         if facts is None:
             return (True, True, False, False)
@@ -59,6 +75,47 @@ class Medium:
     fat: bool
     bath: bool
     water: Slot | None = None
+
+
+@dataclass(frozen=True)
+class VesselOverHeat:
+    """What one vessel takes up while it stands over the heat, in the stages of a ``run``.
+
+    ``joins`` are foods by themselves, ``lines`` what is made of foods beside it, ``within`` the foods of both.
+    """
+
+    run: Sequence[Stage]
+    joins: Sequence[Join]
+    lines: Sequence[Line]
+    within: Sequence[Join]
+
+    @property
+    def hot(self) -> list[Stage]:
+        """The stages at which it is heated."""
+        return [stage for stage in self.run if "heat" in stage.does]
+
+    @property
+    def water(self) -> Slot | None:
+        """The free water that its video has in it."""
+        return next((slot for stage in self.run for slot in stage.slots if slot.food == "water"), None)
+
+    def shown(self, *, wet: bool, last: bool) -> Stage | None:
+        """Return the stage that shows how a phase is cooked: one in a liquid (``wet``), or the ``last`` one."""
+        if wet:
+            return next((stage for stage in self.hot if "liquid" in stage.does or "mix" not in stage.does), None)
+        return self.hot[-1] if last else next((stage for stage in self.hot if stage.does >= {"heat", "mix"}), None)
+
+    def pattern(self, parts: Sequence[Sequence[Addition]], *, bath: bool, last: bool) -> Stage:
+        """Return how the last of ``parts`` is cooked; there may be no stage of that kind in the video.
+
+        ``bath``: in a liquid, if it boils at all; ``last``: it is the last phase of all.
+        """
+        wet = bath and boils(parts[-1])
+        shown = self.shown(wet=wet, last=last)
+        if shown is None:
+            return _done_like(self.hot[-1], SIMMER if wet and not thickens(parts) else STIR)
+        stirred = thickens(parts) if wet else not bath and "liquid" in shown.does
+        return _done_like(shown, STIR) if stirred else shown
 
 
 def phase_of(facts: Food) -> str:
@@ -116,12 +173,17 @@ def phase_together(foods: Sequence[Food], *, bath: bool) -> str:
     return next((name for name in order if name in phases), WET)
 
 
-def in_parts(comers: Sequence[Comer], order: Sequence[str]) -> list[list[Comer]]:
-    """Return the ``comers`` of a stage, parted by the phases of ``order``; what only seasons, and fat, makes none."""
-    parts: list[list[Comer]] = []
-    waiting: list[Comer] = []
+def in_parts(additions: Sequence[Addition], order: Sequence[str]) -> list[list[Addition]]:
+    """Return the ``additions`` of a stage, parted by the phases of ``order``.
+
+    What only seasons, and fat, makes no phase: it joins the one before, or waits for the next.
+    """
+    parts: list[list[Addition]] = []
+    waiting: list[Addition] = []
     for name in order:
-        here = sorted((comer for comer in comers if comer.phase == name), key=lambda comer: comer.rank)
+        here = sorted(
+            (addition for addition in additions if addition.phase == name), key=lambda addition: addition.rank
+        )
         if _makes_a_phase(here):
             first, *others = _one_after_another(here) if name == FRIED else (here,)
             parts += [[*waiting, *first], *others]
@@ -135,7 +197,7 @@ def in_parts(comers: Sequence[Comer], order: Sequence[str]) -> list[list[Comer]]
     return parts
 
 
-def _one_after_another(fried: Sequence[Comer]) -> list[list[Comer]]:
+def _one_after_another(fried: Sequence[Addition]) -> list[list[Addition]]:
     """Return what is fried, parted: what its own fat runs out of, flesh that browns, and then the rest.
 
     Fat and seasoning come with the first of these.
@@ -147,47 +209,52 @@ def _one_after_another(fried: Sequence[Comer]) -> list[list[Comer]]:
     return [[*first, *groups[0]], *groups[1:]]
 
 
-def _turn(comer: Comer) -> int:
+def _turn(addition: Addition) -> int:
     """Return when of all that is fried something comes, counted from 0."""
-    kind = comer.facts.kind if comer.facts is not None else ""
+    kind = addition.facts.kind if addition.facts is not None else ""
     if kind in word_list("is fried until its fat runs"):
         return 0
     return 1 if kind in word_list("is browned before the rest") else 2
 
 
-def _makes_a_phase(comers: Sequence[Comer]) -> bool:
-    water = [one for one in comers if one.is_water]
-    return any(one.is_solid for one in comers) or 0 < len(water) < len(comers)
+def _makes_a_phase(additions: Sequence[Addition]) -> bool:
+    # water alone is no phase, salted water is: that is brought to the boil before anything comes
+    water = [one for one in additions if one.is_water]
+    return any(one.is_solid for one in additions) or 0 < len(water) < len(additions)
 
 
-def untoasted(comers: Sequence[Comer]) -> list[Comer]:
-    """Return ``comers``, grain with the water where nothing else comes with that: one cooking is told of both."""
-    if not all(one.is_water for one in comers if one.phase == WET):
-        return list(comers)
+def untoasted(additions: Sequence[Addition]) -> list[Addition]:
+    """Return ``additions``, grain with the water where nothing else comes with that: one cooking is told of both."""
+    if not all(one.is_water for one in additions if one.phase == WET):
+        return list(additions)
     toasted = word_list("is toasted")
-    return [replace(c, phase=WET) if c.facts is not None and c.facts.is_a(*toasted) else c for c in comers]
+    return [replace(c, phase=WET) if c.facts is not None and c.facts.is_a(*toasted) else c for c in additions]
 
 
-def finishing_fat_last(comers: Sequence[Comer]) -> list[Comer]:
-    """Return ``comers`` with fat that only gives its taste at the end, where there is other fat to fry in."""
-    fats = [comer for comer in comers if comer.facts is not None and comer.facts.is_a("fat")]
-    last = [comer for comer in fats if comer.facts is not None and comer.facts.is_a(*word_list("is fat for its taste"))]
+def finishing_fat_last(additions: Sequence[Addition]) -> list[Addition]:
+    """Return ``additions`` with fat that only gives its taste at the end, where there is other fat to fry in."""
+    fats = [addition for addition in additions if addition.facts is not None and addition.facts.is_a("fat")]
+    last = [
+        addition
+        for addition in fats
+        if addition.facts is not None and addition.facts.is_a(*word_list("is fat for its taste"))
+    ]
     if len(last) == len(fats):
-        return list(comers)
-    return [replace(comer, phase=LAST) if comer in last else comer for comer in comers]
+        return list(additions)
+    return [replace(addition, phase=LAST) if addition in last else addition for addition in additions]
 
 
-def boils(comers: Iterable[Comer]) -> bool:
-    """Whether something of ``comers`` is to be cooked in a liquid, or is that."""
-    return any(one.phase == WET and (one.is_solid or one.is_water) for one in comers)
+def boils(additions: Iterable[Addition]) -> bool:
+    """Return whether something of ``additions`` is to be cooked in a liquid, or is that."""
+    return any(one.phase == WET and (one.is_solid or one.is_water) for one in additions)
 
 
-def thickens(parts: Sequence[Sequence[Comer]]) -> bool:
-    """Whether the last of ``parts`` is what is poured on fat and flour, with nothing to be cooked in it."""
+def thickens(parts: Sequence[Sequence[Addition]]) -> bool:
+    """Return whether the last of ``parts`` is what is poured on fat and flour, with nothing to be cooked in it."""
     *before, last = parts
-    facts = [comer.facts for part in before for comer in part if comer.facts is not None]
+    facts = [addition.facts for part in before for addition in part if addition.facts is not None]
     bound = any(one.is_a("flour") for one in facts) and any(one.is_a("fat") for one in facts)
-    return bound and all(_is_stirred_on_flour(comer.facts) for comer in last)
+    return bound and all(_is_stirred_on_flour(addition.facts) for addition in last)
 
 
 def _is_stirred_on_flour(facts: Food | None) -> bool:
@@ -250,3 +317,8 @@ def _seasons(facts: Food) -> bool:
     """Whether a food only seasons what is cooked: cheese and bacon are salty, yet more than that."""
     more = facts.is_a("ready", *word_list("is cooked in phases")) or is_bath(facts)
     return facts.is_a(*word_list("only flavours")) and not more
+
+
+def _done_like(stage: Stage, pattern: Stage) -> Stage:
+    """Return a stage in its own vessel, cooked by the motion of ``pattern``."""
+    return replace(stage, motion=pattern.motion, does=pattern.does, tools=pattern.tools)
