@@ -15,12 +15,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from foon_kg.food.dish_classes import dish_classes
 from foon_kg.loaders.lisp import Form, read_lisp
 from foon_kg.loaders.muhai_primitives import play
 from foon_kg.loaders.muhai_scene import Scene
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, Severity, UnreadableFile
 from foon_kg.model import Annotation, FunctionalUnit, Participant
-from foon_kg.model.dish_classes import dish_classes
 from foon_kg.model.errors import ReadError
 from foon_kg.model.regular_files import read_bytes
 

@@ -61,4 +61,4 @@ def _handled(one: Substitution) -> str:
 
 
 def _figure(one: Substitution) -> str:
-    return "?" if "confidence" in one.untold else f"{one.confidence:.2f}"
+    return "?" if "confidence" in one.missing else f"{one.confidence:.2f}"

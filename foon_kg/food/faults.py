@@ -38,7 +38,7 @@ _SAID = {"text": "a text", "list": "a list of texts", "truth": "true or false", 
 
 
 def malformed(document: Toml, sections: Mapping[str, Mapping[str, str]]) -> Iterator[str]:
-    """Return what is wrong with the form of a table, one sentence each.
+    """Yield what is wrong with the form of a table, one sentence each.
 
     ``document`` is the table as TOML is read; ``sections`` are :data:`UTENSILS` or FOODS.
     """
@@ -68,6 +68,7 @@ def _malformed_row(where: str, row: object, fields: Mapping[str, str]) -> Iterat
 
 
 def _is(wanted: str, value: object) -> bool:
+    """Return whether ``value`` is of the form ``wanted``, one of those that the sections name."""
     if wanted == "list":
         return isinstance(value, list) and all(isinstance(one, str) for one in value)
     if wanted == "row":
@@ -81,7 +82,7 @@ def _near(name: str, among: Collection[str]) -> str:
 
 
 def unknown_targets(document: Toml, kinds: Collection[str], names: Collection[str]) -> Iterator[str]:
-    """Return which kinds and names a well-formed table of foods uses that are not among ``kinds`` and ``names``.
+    """Yield which kinds and names a well-formed table of foods uses that are not among ``kinds`` and ``names``.
 
     ``document`` is the table as TOML is read.
     """
@@ -97,14 +98,14 @@ def unknown_targets(document: Toml, kinds: Collection[str], names: Collection[st
 
 
 def _unknown_kinds(where: str, row: Mapping[str, Any], kinds: Collection[str]) -> Iterator[str]:
-    """Return which kinds the ``row`` at ``where`` names that are not among ``kinds``."""
+    """Yield which kinds the ``row`` at ``where`` names that are not among ``kinds``."""
     for kind in (*row.get("of", []), *row.get("when", {}).values()):
         if kind not in kinds:
             yield f"{where}: there is no kind “{kind}”{_near(kind, kinds)}"
 
 
 def words_twice(document: Toml) -> Iterator[str]:
-    """Return the words that two kinds have, or two groups, of a well-formed table; spellings in one kind are one.
+    """Yield the words that two kinds have, or two groups, of a well-formed table; spellings in one kind are one.
 
     ``document`` is the table as TOML is read.
     """

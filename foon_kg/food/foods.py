@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Food, Kind, Level, Match
-from foon_kg.food.words import plain_words, singular, words
+from foon_kg.food.words import plain_words, singular
+from foon_kg.model.names import without_accents
 
 UNKNOWN = Kind("unknown", "Nothing is known of it.")
 _NOT_FOUND = (UNKNOWN.name, "", Match.UNKNOWN)
 _PACKED = "canned"
-
 
 _WITH_BONES = re.compile(r"\b(?:bone|skin)[- ](?:in|on)\b,? ?", re.IGNORECASE)
 
@@ -109,6 +108,7 @@ class FoodTable:
         return next((other for state, other in self.homonyms.get(name, ()) if _is_among(state, states)), name)
 
     def _find(self, name: str) -> tuple[str, str, Match]:
+        # the last words before the ending, and any other words last: English names a food by its last noun
         own = name.split()
         if name in self.kind_of:
             return self.kind_of[name], name, Match.NAME
@@ -145,10 +145,7 @@ def make_room(kept: dict[Any, Any]) -> None:
 
 def _plain(label: str) -> str:
     """Return a label as the table has it: without brackets, without accents (pâté), without its bone-in or skin-on."""
-    label = _WITH_BONES.sub("", label.partition(" (")[0]) or label
-    if label.isascii():
-        return label
-    return "".join(one for one in unicodedata.normalize("NFKD", label) if not unicodedata.combining(one))
+    return without_accents(_WITH_BONES.sub("", label.partition(" (")[0]) or label)
 
 
 def _is_state(asked: str, state: str) -> bool:
@@ -166,8 +163,3 @@ def _levels(owes: object) -> Mapping[str, Level]:
 
 def _texts(value: object) -> Mapping[str, str]:
     return {str(name): str(text) for name, text in value.items()} if isinstance(value, Mapping) else {}
-
-
-def name_in(label: str) -> str:
-    """Return the name under which a table lists a label."""
-    return " ".join(words(label))

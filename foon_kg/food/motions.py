@@ -15,6 +15,8 @@ _OPENS = frozenset({"choke", "core", "cut", "grate", "husk", "open", "peel", "sh
 _BRINGS = frozenset({"move", "scatter"})
 _WORKS = frozenset({"coat", "heat", "mix"})
 
+# Each answer is kept: they are asked of every unit again and again, and no file of a user's own adds motions.
+
 
 @lru_cache(maxsize=MOST_WORDS)
 def mixes(motion: str) -> bool:

@@ -10,7 +10,7 @@ from typing import Any
 from foon_kg.food.rows import Food, Motion
 from foon_kg.food.shipped import shipped
 from foon_kg.food.techniques import Around, Foods
-from foon_kg.food.words import words
+from foon_kg.food.words import stands_in, words
 
 _FIELDS = ("when", "stage", "at")
 
@@ -38,9 +38,9 @@ class Named:
 
     def said(self, told: Sequence[str]) -> str:
         """Return the words of a title, ``told`` in their order, that ask for it; ``""`` where none do."""
-        if any(_stands_in(name, told) for name in self.never):
+        if any(stands_in(name, told) for name in self.never):
             return ""
-        return next((" ".join(name) for name in self.called if _stands_in(name, told)), "")
+        return next((" ".join(name) for name in self.called if stands_in(name, told)), "")
 
     def is_done_by(self, motion: str, row: Motion) -> bool:
         """Return whether a step of ``motion`` does it; ``row`` is what the tables say of the motion."""
@@ -76,10 +76,6 @@ def named_by(title: str, dish_type: str, foods: Collection[tuple[str, Food]]) ->
         if said and any(one.is_of(*food) for food in foods) and not one.is_ruled_out(foods, around):
             found.append((one, said))
     return tuple(found)
-
-
-def _stands_in(name: tuple[str, ...], told: Sequence[str]) -> bool:
-    return name[0] in told and any(tuple(told[place : place + len(name)]) == name for place in range(len(told)))
 
 
 @cache

@@ -18,7 +18,8 @@ _COOKS = frozenset({"liquid", "dry", "fat"})
 Toml = Mapping[str, Any]
 
 
-def _refused(where: str, what: str) -> ReadError:
+def refused(where: str, what: str) -> ReadError:
+    """Return the error of a table, read from ``where``, with ``what`` is wrong in it."""
     return ReadError(f"{where}: {what}", hint="Take the form of the table of that name in foon_kg/food.")
 
 
@@ -50,7 +51,7 @@ def _kind(name: str, row: Toml, known: Kind | None, where: str) -> Kind:
     try:
         owes = {treatment: Level(level) for treatment, level in row.get("owes", {}).items()}
     except ValueError as error:
-        raise _refused(where, f"kind “{name}”: {error}") from error
+        raise refused(where, f"kind “{name}”: {error}") from error
     return Kind(
         name,
         row.get("about", ""),
@@ -94,9 +95,9 @@ def utensil_rows(document: Toml, where: str) -> Iterator[tuple[str, Utensil]]:
     """Yield the utensils of a document with their names; raises ReadError where a group is none."""
     for group, row in document.get("groups", {}).items():
         if row.get("role") not in ROLES:
-            raise _refused(where, f"group “{group}”: its role is {row.get('role')!r}, not one of {sorted(ROLES)}")
+            raise refused(where, f"group “{group}”: its role is {row.get('role')!r}, not one of {sorted(ROLES)}")
         if row.get("source", "") not in SOURCES:
-            raise _refused(where, f"group “{group}”: its source is {row['source']!r}, not one of {sorted(SOURCES)}")
+            raise refused(where, f"group “{group}”: its source is {row['source']!r}, not one of {sorted(SOURCES)}")
         for name in row.get("names", []):
             yield (
                 singular(name),

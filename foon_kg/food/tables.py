@@ -16,18 +16,18 @@ from pathlib import Path
 from foon_kg.food.faults import FOODS, UTENSILS, malformed, unknown_targets
 from foon_kg.food.foods import FoodTable, make_room
 from foon_kg.food.lists import word_list
-from foon_kg.food.parsing import Toml, dish_row, food_table, motion_row, needs_of, state_row, utensil_rows
+from foon_kg.food.parsing import Toml, dish_row, food_table, motion_row, needs_of, refused, state_row, utensil_rows
 from foon_kg.food.rows import Dish, Motion, State, Utensil
 from foon_kg.food.shipped import shipped
 from foon_kg.food.words import plain_words, singular, words
 from foon_kg.model.errors import ReadError
+from foon_kg.model.regular_files import read_text
 
 UTENSILS_VARIABLE = "FOON_KG_UTENSILS"
 FOODS_VARIABLE = "FOON_KG_FOODS"
 
-
 _MOST_NAMED = 4096
-"""For how many texts the dishes in them are remembered."""
+"""For how many titles their dishes are remembered: a service is asked of new ones as long as it runs."""
 
 _QUOTED = re.compile(r'["\u201c\u2018][^"\u201d\u2019]+["\u201d\u2019]')
 _FOR = re.compile(r"\s+for\s+", re.IGNORECASE)
@@ -55,7 +55,7 @@ class Tables:
         for where, document in self._own_foods:
             table = self.foods
             for fault in unknown_targets(document, table.kinds, table.kind_of):
-                raise _refused(where, fault)
+                raise refused(where, fault)
 
     @cached_property
     def foods(self) -> FoodTable:
@@ -175,6 +175,7 @@ class Tables:
             own = _without(words(_QUOTED.sub(" ", _FOR.split(text)[0] or text)))
             for start, end in _spans(len(own)):
                 name = " ".join(own[start:end])
+                # a part of a word counts, too: the type cake says nothing beside the title cheesecake
                 if name in self.dishes and not any(name in other for other in found):
                     found[name] = self._dish_called(name, own, start, texts)
         no = frozenset().union(*(dish.is_no for dish in found.values()))
@@ -239,16 +240,12 @@ def _own(path: str, sections: Mapping[str, Mapping[str, str]]) -> Iterator[tuple
     import tomllib  # noqa: PLC0415 - few have tables of their own
 
     try:
-        document = tomllib.loads(Path(path).read_text(encoding="utf-8"))
+        document = tomllib.loads(read_text(Path(path)))
     except (OSError, ValueError) as error:
         raise ReadError(
             f"{path}: the table cannot be read: {error}",
             hint="Take the form of foon_kg/food/utensils.toml or foods.toml; docs/contract.md shows an example.",
         ) from error
     for fault in malformed(document, sections):
-        raise _refused(path, fault)
+        raise refused(path, fault)
     yield path, document
-
-
-def _refused(where: str, what: str) -> ReadError:
-    return ReadError(f"{where}: {what}", hint="Take the form of the table of that name in foon_kg/food.")

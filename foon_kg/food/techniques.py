@@ -18,7 +18,7 @@ from typing import Any
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Food
 from foon_kg.food.shipped import shipped
-from foon_kg.food.words import words
+from foon_kg.food.words import stands_in, words
 
 _STEP = re.compile(
     r"(?P<optional>\??)(?P<stage>[^@<:]+?)(?: as (?P<label>[^@<:]+?))?(?: ?@ ?(?P<vessel>[^<:]+?))?"
@@ -203,11 +203,7 @@ class Technique:
             return True
         if self.types and dish_type not in self.types:
             return False
-        return not self.called or any(name[0] in told and _stands_in(name, told) for name in self.called)
-
-
-def _stands_in(name: tuple[str, ...], told: Sequence[str]) -> bool:
-    return any(tuple(told[place : place + len(name)]) == name for place in range(len(told)))
+        return not self.called or any(stands_in(name, told) for name in self.called)
 
 
 def techniques() -> tuple[Technique, ...]:

@@ -19,9 +19,10 @@ from foon_kg.food.words import plain_words, singular
 from foon_kg.model import ObjectNode
 
 _NEARLY = 0.85
-"""How alike two words are written of which one may be a slip of the other, and how long such words are."""
+"""How alike two words are written (difflib's ratio) of which one may be a slip of the other."""
 
 _LONG = 4
+"""So many letters a word has at least of which another may be a slip: short words have too many that are like them."""
 
 
 class WordKind(StrEnum):
@@ -79,10 +80,9 @@ def unknown_words(nodes: Iterable[ObjectNode], motions: Iterable[str] = ()) -> t
 
 
 def by_one_another(words: Mapping[UnknownWord, int]) -> dict[UnknownWord, UnknownWord]:
-    """Return ``words``, each as told where it may be a slip of another one that more files have.
+    """Return each of ``words``, and what is told of it: where more files have a word like it, that it may be a slip.
 
-    Args:
-        words: words that no table has, and how many files have each.
+    ``words`` are those that no table has, with how many files have each.
     """
     alike: dict[tuple[WordKind, str], list[tuple[str, int]]] = {}
     for word, files in words.items():
@@ -96,7 +96,7 @@ def by_one_another(words: Mapping[UnknownWord, int]) -> dict[UnknownWord, Unknow
 
 
 def _names(nodes: Iterable[ObjectNode], known: Tables) -> Iterator[UnknownWord]:
-    """Return unknown foods, and what looks like a utensil and is none of the table."""
+    """Yield unknown foods, and what looks like a utensil and is none of the table."""
     looks: dict[str, str] = {}
     written: dict[str, str] = {}
     for node in nodes:
@@ -117,6 +117,7 @@ def _odd_state(node: ObjectNode) -> str:
 
 
 def _name(name: str, looks: str, known: Tables) -> UnknownWord:
+    """Return what is told of the unlisted ``name``; ``looks`` says why it looks like a utensil, ``""`` for a food."""
     kind, taken_for, match = known.foods.find(name)
     last = singular(name).split()[-1]
     if match in {Match.UNKNOWN, Match.PART} and known.utensil(last) is not None:
@@ -174,6 +175,7 @@ def _slip(kind: WordKind, word: str, listed: Collection[str]) -> UnknownWord:
 
 
 def _states(nodes: Iterable[ObjectNode], known: Tables) -> Iterator[UnknownWord]:
+    """Yield the states of ``nodes`` that no table lists."""
     of_utensils = frozenset().union(*known.utensil_states.values())
     for node in nodes:
         for state in node.states:
@@ -188,7 +190,10 @@ def _motion(motion: str, known: Tables) -> Iterator[UnknownWord]:
 
 
 def _phrase(kind: WordKind, phrase: str, listed: Iterable[str], nothing: str) -> Iterator[UnknownWord]:
-    """Return ``phrase`` where not all of its words are listed, small words apart."""
+    """Yield ``phrase`` where not all of its words are ``listed``, small words apart.
+
+    It is taken for its listed words; ``nothing`` says for what where there are none.
+    """
     own = plain_words(phrase) - word_list("small words")
     there = own.intersection(listed)
     if own != there or not own:

@@ -7,14 +7,15 @@ from __future__ import annotations
 
 import functools
 import re
-import unicodedata
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from foon_kg.food.lists import word_list
+from foon_kg.model.names import without_accents
 
 _WORD = re.compile(r"[^\W\d_]+")
 _IRREGULAR = {
-    "chilies": "chili", "chillies": "chilli", "halves": "half", "knives": "knife", "leaves": "leaf", "loaves": "loaf",
+    "bouillabaisses": "bouillabaisse", "chilies": "chili", "chillies": "chilli", "halves": "half", "knives": "knife",
+    "leaves": "leaf", "loaves": "loaf", "mousses": "mousse",
 }  # fmt: skip
 _PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
 _NO_PLURAL = ("ss", "us", "is")
@@ -31,13 +32,7 @@ _ALIKE = {"swirl": "filling"}
 @functools.lru_cache(maxsize=1 << 16)
 def words(name: str) -> tuple[str, ...]:
     """Return the words of a name, lower case, singular, without accents: ``Crèmes Brûlées`` → creme, brulee."""
-    return tuple(singular_word(word) for word in _WORD.findall(_without_accents(name.lower())))
-
-
-def _without_accents(name: str) -> str:
-    if name.isascii():
-        return name
-    return "".join(one for one in unicodedata.normalize("NFKD", name) if not unicodedata.combining(one))
+    return tuple(singular_word(word) for word in _WORD.findall(without_accents(name.lower())))
 
 
 @functools.lru_cache(maxsize=1 << 16)
@@ -65,6 +60,12 @@ def singular_word(word: str) -> str:
 def plain_words(text: str) -> frozenset[str]:
     """Return the words of ``text``, a motion or a state, as they are written, in lower case."""
     return frozenset(_WORD.findall(text.lower()))
+
+
+def stands_in(phrase: tuple[str, ...], told: Sequence[str]) -> bool:
+    """Return whether the words of ``phrase`` stand in ``told`` side by side."""
+    # few words are there at all, so the first is looked for before the rest
+    return phrase[0] in told and any(tuple(told[at : at + len(phrase)]) == phrase for at in range(len(told)))
 
 
 def is_among(name: str, names: Collection[str]) -> bool:

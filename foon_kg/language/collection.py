@@ -12,12 +12,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 
+from foon_kg.food.dish_classes import dish_classes
 from foon_kg.food.lists import word_list
 from foon_kg.language.plain_lines import amount_in_front, is_measure
 from foon_kg.language.recipe_lines import LineReader, RecipeLine, read_quickly
 from foon_kg.model import DISH_TYPES
-from foon_kg.model.collected import CalledFor, CollectedLine, CollectedRecipe, UnderstoodRecipe
-from foon_kg.model.dish_classes import DishClass, dish_classes
+from foon_kg.model.collected import CalledFor, CollectedLine, CollectedRecipe, DishClass, UnderstoodRecipe
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.similarity.states import state_in

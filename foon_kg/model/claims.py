@@ -22,17 +22,17 @@ _NOTHING = frozenset[str]()
 class Alternative:
     """Another equivalent that was considered, with its confidence between 0 and 1.
 
-    ``untold`` names the fields that a stranger's tree leaves out.
+    ``missing`` names the fields that a stranger's tree leaves out.
     """
 
     name: str
     confidence: float
-    untold: frozenset[str] = _NOTHING
+    missing: frozenset[str] = _NOTHING
 
     @classmethod
     def claimed(cls, name: str, confidence: float | None) -> Self:
         """Return the alternative ``name`` of a tree that may leave its ``confidence`` (0 to 1) out."""
-        return cls(name, confidence or 0.0, _untold(confidence=confidence))
+        return cls(name, confidence or 0.0, _missing(confidence=confidence))
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Substitution:
     """What stood in FOON (``equivalent``) where the recipe wants ``required``, and how sure that is (0 to 1).
 
     ``kind`` is one of :data:`SubstitutionKind` in every plan of ours. ``object`` is the required food concerned; for an
-    object substitution it equals ``required``. ``untold`` names the fields that a stranger's tree leaves out.
+    object substitution it equals ``required``. ``missing`` names the fields that a stranger's tree leaves out.
     """
 
     kind: str
@@ -49,7 +49,7 @@ class Substitution:
     equivalent: str
     confidence: float
     alternatives: tuple[Alternative, ...] = ()
-    untold: frozenset[str] = _NOTHING
+    missing: frozenset[str] = _NOTHING
 
     @classmethod
     def claimed(
@@ -67,11 +67,11 @@ class Substitution:
         ``kind`` is ``object`` or ``state``, ``about`` the food; the ``equivalent`` stands for what is ``required``,
         with a ``confidence`` from 0 to 1, and other ``alternatives`` could have.
 
-        >>> Substitution.claimed("object", "leek", "leek", "onion").untold == {"confidence", "alternatives"}
+        >>> Substitution.claimed("object", "leek", "leek", "onion").missing == {"confidence", "alternatives"}
         True
         """
-        untold = _untold(equivalent=equivalent, confidence=confidence, alternatives=alternatives)
-        return cls(kind, about, required, equivalent or "", confidence or 0.0, tuple(alternatives or ()), untold)
+        missing = _missing(equivalent=equivalent, confidence=confidence, alternatives=alternatives)
+        return cls(kind, about, required, equivalent or "", confidence or 0.0, tuple(alternatives or ()), missing)
 
     @property
     def for_want(self) -> bool:
@@ -119,5 +119,5 @@ class Assumption:
         return cls(node_from_json(fields.nested("node")), fields.text("why"))
 
 
-def _untold(**values: object) -> frozenset[str]:
+def _missing(**values: object) -> frozenset[str]:
     return frozenset(name for name, value in values.items() if value is None)

@@ -6,11 +6,18 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.model import content_key
-from foon_kg.model.dish_classes import DishClass
 
 LONGEST_ID = 200
 LONGEST_LINE = 1_000
-"""More characters than anybody writes; Neo4j can look up no name of more than 8,000 bytes."""
+"""So many characters an id or a line may have, more than anybody writes: Neo4j indexes no name of over 8,000 bytes."""
+
+
+@dataclass(frozen=True)
+class DishClass:
+    """A dish class that a recipe's title names (one of ``DISH_TYPES``); at most one of a title is ``sure``."""
+
+    name: str
+    sure: bool
 
 
 @dataclass(frozen=True)
@@ -29,7 +36,7 @@ class CollectedLine:
 
     @property
     def is_readable(self) -> bool:
-        """Whether it is as short as a line is that asks for something."""
+        """Whether text and food are at most :data:`LONGEST_LINE` characters long."""
         return len(self.text) <= LONGEST_LINE and len(self.detected or "") <= LONGEST_LINE
 
 

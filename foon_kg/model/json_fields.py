@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Mapping
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TypeGuard
 
 from foon_kg.model.errors import ReadError
 
@@ -47,10 +48,10 @@ class Fields:
     def text_or_number(self, name: str) -> str:
         """Return the text of the field called ``name``, or its number as text (2.0 is "2").
 
-        Nothing where it is null or left out.
+        It is ``""`` where the field is null or left out.
         """
         value = self._values.get(name)
-        if isinstance(value, int | float) and not isinstance(value, bool):
+        if _is_number(value):
             return f"{value:.15g}"
         return (self.optional_text(name) or "").strip()
 
@@ -64,7 +65,7 @@ class Fields:
     def number(self, name: str) -> float:
         """Return the number of the field called ``name``."""
         value = self._value(name)
-        if not isinstance(value, int | float) or isinstance(value, bool):
+        if not _is_number(value):
             self._refuse(name, "a number", value)
         return float(value)
 
@@ -122,6 +123,13 @@ class Fields:
         raise ReadError(
             f"{self.where}: “{name}” should be {wanted}, found {_shown(value)}", hint=f"Make “{name}” {wanted}."
         )
+
+
+def _is_number(value: object) -> TypeGuard[int | float]:
+    """Return whether ``value`` is a number that a float can hold."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    return abs(value) <= sys.float_info.max  # Python also reads NaN, Infinity and whole numbers of 400 digits
 
 
 def _shown(value: object) -> str:

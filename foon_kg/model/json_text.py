@@ -13,7 +13,7 @@ _DECODER = json.JSONDecoder()
 
 
 def json_value(text: str) -> Any:  # noqa: ANN401 - any value of JSON
-    """Return the value that a text is; raises JSONDecodeError."""
+    """Return the value that ``text`` is in JSON; raises JSONDecodeError where it is none."""
     try:
         return json.loads(text)
     except json.JSONDecodeError:

@@ -43,12 +43,10 @@ def find(folder: str, asked: str) -> str | None:
 
 
 def keep(folder: str, asked: str, body: str) -> None:
-    """Keep ``body`` for what was ``asked`` in a ``folder`` of the cache, whole or not at all.
-
-    A line break in ``asked`` is none of it.
-    """
-    file = _file(folder, asked)
-    with suppress(OSError):
+    """Keep ``body`` for what was ``asked`` (one line) in a ``folder`` of the cache, whole or not at all."""
+    # a text that is no Unicode (half a pair of surrogates, out of a file's name) is a ValueError: it is not kept
+    with suppress(OSError, ValueError):
+        file = _file(folder, asked)
         file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         write_private(file, f"{_head(asked, body)}\n{body}")
         _remove_oldest(file.parent)
@@ -66,12 +64,12 @@ def kept(folder: str, source: bytes, make: Callable[[], Any]) -> Any:  # noqa: A
 
 
 def code_key(places: Iterable[Traversable]) -> str:
-    """Return a hash of the code and the tables at ``places``, which are files and packages."""
+    """Return a hash of the code and the tables at ``places``: files, and packages without their subpackages."""
     digest = hashlib.blake2b(digest_size=16)
     for place in places:
         files = [place] if place.is_file() else sorted(place.iterdir(), key=lambda file: file.name)
         for file in files:
-            if file.name.endswith((".py", ".toml")):
+            if file.name.endswith((".py", ".toml", ".txt")):
                 digest.update(file.read_bytes())
     return digest.hexdigest()
 

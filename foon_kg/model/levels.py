@@ -32,7 +32,10 @@ def node_at(node: ObjectNode, level: Level) -> ObjectNode:
 
 @dataclass(frozen=True)
 class Leveller:
-    """Answers nodes and units as they are at ``level``; each node that becomes one is one value, hashed once."""
+    """Nodes and units as they are at ``level``.
+
+    Nodes that become equal become one object, whose hash is worked out once.
+    """
 
     level: Level
     _nodes: dict[ObjectNode, ObjectNode] = field(default_factory=dict)
@@ -52,6 +55,7 @@ class Leveller:
         return replace(unit, inputs=self._side(unit.inputs), outputs=self._side(unit.outputs))
 
     def _side(self, side: tuple[Participant, ...]) -> tuple[Participant, ...]:
+        """Return the inputs or outputs of a unit; one that was several moves, or completes a dish, as any of them."""
         found: dict[ObjectNode, Participant] = {}
         for participant in side:
             node = self.node(participant.node)
@@ -71,10 +75,11 @@ def units_at(units: Iterable[KnownUnit], level: Level) -> tuple[KnownUnit, ...]:
     for known in units:
         unit = leveller.unit(known.unit)
         groups[unit.key].append(KnownUnit(unit, known.seen_in))
-    return tuple(_one(groups[key]) for key in sorted(groups))
+    return tuple(_merged(groups[key]) for key in sorted(groups))
 
 
-def _one(same: list[KnownUnit]) -> KnownUnit:
+def _merged(same: list[KnownUnit]) -> KnownUnit:
+    """Return units that are the same at a level as one: as first seen, with the sightings of all."""
     if len(same) == 1:
         return same[0]
     first = min(same, key=lambda known: known.seen_in[:1])

@@ -22,10 +22,11 @@ ALIASES_VARIABLE = "FOON_KG_ALIASES"
 
 _APOSTROPHES = str.maketrans({"\u2019": "'", "\u2018": "'", "`": "'", "_": " "})
 _TIDY = re.compile(r"[^\w&'%/\- ]+")
-_STILL_SINGULAR = ("ss", "us", "is", "'s")
+_STILL_SINGULAR = ("ss", "us", "is", "'s")  # glass, hummus, cassis, baker's
 _TAKES_ES = ("ches", "shes", "sses", "xes", "zzes", "oes")
 _SHORTEST_PLURAL = 4  # "peas"; "gas" and "bus" are no plurals
 _OWN_IE = frozenset({"brownies", "cookies", "hoagies", "pies", "smoothies", "veggies"})
+"""Plurals in -ies whose singular ends in -ie: all others are taken for berries, whose singular is berry."""
 
 
 @dataclass(frozen=True)
@@ -68,20 +69,27 @@ def _canonical(name: str, own_file: str) -> str:
 
 
 def _one_step(text: str, table: AliasTable) -> str:
+    """Return a tidy name with its aliases resolved once: as a whole, else word by word, the last word singular."""
     if text in table.wholes:
         return table.wholes[text]
     words = [table.words.get(word, word) for word in text.split()]
     if words and " ".join(words) not in table.kept:
         words[-1] = _singular(words[-1], table.kept)
-    return " ".join(table.words.get(word, word) for word in words)
+    return " ".join(table.words.get(word, word) for word in words)  # an alias may name the singular alone
 
 
 def _tidied(name: str) -> str:
-    plain = name.translate(_APOSTROPHES).casefold()
-    if not plain.isascii():
-        letters = unicodedata.normalize("NFKD", plain)
-        plain = "".join(letter for letter in letters if not unicodedata.combining(letter)).casefold()
-    return " ".join(_TIDY.sub(" ", plain).split())
+    """Return ``name`` in small plain letters, with single spaces and no other signs than ``&'%/-``."""
+    plain = without_accents(name.translate(_APOSTROPHES).casefold())
+    # once more: NFKD makes capital letters of some signs (™ becomes TM)
+    return " ".join(_TIDY.sub(" ", plain.casefold()).split())
+
+
+def without_accents(text: str) -> str:
+    """Return ``text`` with its letters plain, without accents (pâté: pate)."""
+    if text.isascii():  # as most is; the rest takes ten times as long
+        return text
+    return "".join(letter for letter in unicodedata.normalize("NFKD", text) if not unicodedata.combining(letter))
 
 
 def _singular(word: str, kept: frozenset[str]) -> str:

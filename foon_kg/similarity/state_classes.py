@@ -5,7 +5,6 @@ Another table of the same form may be named in ``FOON_KG_STATES``.
 
 from __future__ import annotations
 
-import json
 import os
 from collections import defaultdict
 from collections.abc import Mapping
@@ -16,7 +15,9 @@ from pathlib import Path
 from typing import Any
 
 from foon_kg.model.errors import ReadError
+from foon_kg.model.json_text import json_value
 from foon_kg.model.names import canonical
+from foon_kg.model.regular_files import read_text
 from foon_kg.similarity.vectors import food_vectors
 
 STATES_VARIABLE = "FOON_KG_STATES"
@@ -96,8 +97,8 @@ def state_classes() -> StateClasses:
 @lru_cache(maxsize=4)
 def _read(path: str) -> StateClasses:
     try:
-        return _parsed(json.loads(Path(path).read_text(encoding="utf-8") if path else _shipped()))
-    except (OSError, ValueError, KeyError, TypeError) as error:
+        return _parsed(json_value(read_text(Path(path)) if path else _shipped()))
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:  # the last: a number for a state
         raise ReadError(
             f"{path}: not a table of state classes: {error!r}",
             hint="Take the form of foon_kg/similarity/states.json: classes, adverbs, places.",

@@ -59,11 +59,11 @@ def _incomplete(entry: Substitution) -> Iterator[str]:
         yield f"its kind is “{entry.kind}”, not {', '.join(KINDS)}"
     if not entry.required:
         yield "it does not say what is required"
-    if "equivalent" in entry.untold or (not entry.equivalent and entry.kind != "state"):
+    if "equivalent" in entry.missing or (not entry.equivalent and entry.kind != "state"):
         yield "it names no equivalent"
     if entry.equivalent == entry.required:
         yield "the equivalent is what was required"
-    if "confidence" in entry.untold or not 0 <= entry.confidence <= 1:
+    if "confidence" in entry.missing or not 0 <= entry.confidence <= 1:
         yield "it has no confidence between 0 and 1"
     if not entry.object:
         yield "it does not name its object"
@@ -71,9 +71,9 @@ def _incomplete(entry: Substitution) -> Iterator[str]:
 
 
 def _incomplete_alternatives(entry: Substitution) -> Iterator[str]:
-    if "alternatives" in entry.untold:
+    if "alternatives" in entry.missing:
         yield "it has no list of alternatives"
-    elif any(not other.name or other.untold for other in entry.alternatives):
+    elif any(not other.name or other.missing for other in entry.alternatives):
         yield "an alternative has no name or no confidence"
 
 

@@ -200,17 +200,17 @@ def _read_wanted(line: Line) -> RequiredIngredient:
 
 def written_substitution(entry: Substitution) -> str:
     """Return ``entry`` as ``kind (object): required like equivalent (confidence); alternative (confidence), …``."""
-    equivalent = NOTHING if "equivalent" in entry.untold else written_name(entry.equivalent)
+    equivalent = NOTHING if "equivalent" in entry.missing else written_name(entry.equivalent)
     told = f"{written_name(entry.kind)} ({written_name(entry.object)}): {written_name(entry.required)} {LIKE} "
     told += equivalent + _written_confidence(entry)
-    if "alternatives" in entry.untold:
+    if "alternatives" in entry.missing:
         return told
     others = ", ".join(written_name(other.name) + _written_confidence(other) for other in entry.alternatives)
     return f"{told}; {others or NOTHING}"
 
 
 def _written_confidence(entry: Substitution | Alternative) -> str:
-    return "" if "confidence" in entry.untold else f" ({entry.confidence!r})"
+    return "" if "confidence" in entry.missing else f" ({entry.confidence!r})"
 
 
 def read_substitutions(line: Line) -> tuple[Substitution, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import tomllib
 from importlib.resources import files
 from pathlib import Path
@@ -273,6 +274,13 @@ def test_a_bad_table_is_refused_with_its_name_and_what_to_do(own, text, variable
 def test_a_table_that_is_not_there_is_refused(tmp_path, monkeypatch):
     monkeypatch.setenv("FOON_KG_FOODS", str(tmp_path / "lost.toml"))
     with pytest.raises(ReadError, match=r"lost\.toml"):
+        tables()
+
+
+def test_a_pipe_that_nobody_writes_to_is_refused_and_not_waited_for(tmp_path, monkeypatch):
+    os.mkfifo(tmp_path / "pipe.toml")
+    monkeypatch.setenv("FOON_KG_FOODS", str(tmp_path / "pipe.toml"))
+    with pytest.raises(ReadError, match="it is a pipe"):
         tables()
 
 

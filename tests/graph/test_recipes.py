@@ -17,8 +17,7 @@ from foon_kg.cli import app
 from foon_kg.foon.demo import demo_folder
 from foon_kg.language.collection import CollectionReader
 from foon_kg.loaders import read_paths
-from foon_kg.model.collected import CalledFor, CollectedLine, CollectedRecipe
-from foon_kg.model.dish_classes import DishClass
+from foon_kg.model.collected import CalledFor, CollectedLine, CollectedRecipe, DishClass
 from foon_kg.model.errors import SchemaError, UsageError
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import Connection, Neo4jGraph, load, remove

@@ -100,7 +100,17 @@ def test_the_classes_can_be_replaced_by_a_file(tmp_path, monkeypatch):
     assert state_class("frobbed") == ("raw or whole", 1)
 
 
-@pytest.mark.parametrize("text", ["", "[]", '{"classes": []}', '{"classes": [{"name": 1}]}'])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "[]",
+        "[" * 100_000,
+        '{"classes": []}',
+        '{"classes": [{"name": 1}]}',
+        '{"classes": [{"name": "whole", "states": [5]}]}',
+    ],
+)
 def test_a_broken_table_of_classes_is_said(tmp_path, monkeypatch, text):
     own = tmp_path / "states.json"
     own.write_text(text, encoding="utf-8")

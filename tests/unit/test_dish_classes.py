@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from foon_kg.food.dish_classes import dish_classes
 from foon_kg.model import DISH_TYPES
-from foon_kg.model.dish_classes import dish_classes
 
 SURE = {
     "Chicken Noodle Soup with Bread": "soup",

@@ -18,8 +18,7 @@ import neo4j
 
 from foon_kg.food.words import without_part
 from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.model.collected import CalledFor, CollectedRecipe, UnderstoodRecipe
-from foon_kg.model.dish_classes import DishClass
+from foon_kg.model.collected import CalledFor, CollectedRecipe, DishClass, UnderstoodRecipe
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen

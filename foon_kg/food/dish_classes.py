@@ -8,40 +8,21 @@ part is sure, and the others are possible.
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import cache
 from importlib.resources import files
 
+from foon_kg.food.words import singular_word
 from foon_kg.model import DISH_TYPES
-from foon_kg.model.recent import MOST_WORDS
+from foon_kg.model.collected import DishClass
+from foon_kg.model.names import without_accents
 
 _NO_CLASS = "!"
 _BESIDE = re.compile(
     r"(?:^|\s)(?:with|in|on|over|for|from|using|w/|served|topped|stuffed with|a la)\s"
     r"|[,:;(\[/|]| - |\u2013|\u2014"  # the last two are dashes
 )
-_ENDINGS = (
-    ("loaves", "loaf", 6),
-    ("ies", "y", 5),
-    ("ie", "y", 5),
-    ("shes", "sh", 6),
-    ("ches", "ch", 6),
-    ("oes", "o", 5),
-)
-"""An ending, what stands for it, and the length from which a word is long enough for it: pie and pies keep their e."""
-
-_SHORTEST_PLURAL = 4  # not gas
 _WORD = re.compile(r"[a-z0-9']+|&")
-
-
-@dataclass(frozen=True)
-class DishClass:
-    """A class that a title names; at most one of a title is ``sure``."""
-
-    name: str
-    sure: bool
 
 
 def dish_classes(title: str) -> tuple[DishClass, ...]:
@@ -49,8 +30,7 @@ def dish_classes(title: str) -> tuple[DishClass, ...]:
 
     A title without any word of a class has none; one that names classes only beside the dish has no sure one.
     """
-    plain = unicodedata.normalize("NFKD", title.lower().replace("\u2019", "'"))
-    text = "".join(letter for letter in plain if not unicodedata.combining(letter))
+    text = without_accents(title.lower().replace("\u2019", "'"))
     beside = _BESIDE.search(text)
     main = list(_named(text[: beside.start()] if beside else text))
     further = list(_named(text[beside.start() :])) if beside else []
@@ -62,7 +42,7 @@ def dish_classes(title: str) -> tuple[DishClass, ...]:
 def _named(text: str) -> Iterator[tuple[str, ...]]:
     """Yield the classes of each of the longest known phrases in ``text``, from left to right."""
     phrases, longest = _phrases()
-    words = [_singular(word) for word in _WORD.findall(text.replace("-", " "))]
+    words = [singular_word(word) for word in _WORD.findall(text.replace("-", " "))]
     place = 0
     while place < len(words):
         ends = range(min(len(words), place + longest), place, -1)
@@ -74,32 +54,25 @@ def _named(text: str) -> Iterator[tuple[str, ...]]:
 
 @cache
 def _phrases() -> tuple[dict[str, tuple[str, ...]], int]:
-    """Return the classes of each phrase, in the order of the file, and the number of words of the longest."""
+    """Return the classes of each phrase, in the order of the file, and the number of words of the longest.
+
+    A phrase of no class has none: "cake mix" hides the cake in it.
+    """
     phrases: dict[str, tuple[str, ...]] = {}
-    for line in files("foon_kg.model").joinpath("dish-classes.txt").read_text(encoding="utf-8").splitlines():
+    for line in files("foon_kg.food").joinpath("dish-classes.txt").read_text(encoding="utf-8").splitlines():
         if not line.strip() or line.startswith("#"):
             continue
         name, listed = (_NO_CLASS, line[1:]) if line.startswith(_NO_CLASS) else _entry(line)
         for phrase in listed.split(","):
-            key = " ".join(map(_singular, _WORD.findall(phrase.replace("-", " "))))
+            key = " ".join(map(singular_word, _WORD.findall(phrase.replace("-", " "))))
             known = phrases.get(key, ())
             phrases[key] = known if name == _NO_CLASS else (*known, name)
     return phrases, max(len(key.split()) for key in phrases)
 
 
 def _entry(line: str) -> tuple[str, str]:
+    """Return the class of a ``line`` of the table and the phrases that name it; raises ValueError for no class."""
     name, colon, listed = line.partition(":")
     if not colon or name not in DISH_TYPES:
         raise ValueError(f"dish-classes.txt: “{name}” is none of the dish classes: {', '.join(DISH_TYPES)}")
     return name, listed
-
-
-@lru_cache(maxsize=MOST_WORDS)
-def _singular(word: str) -> str:
-    """Return one form for the singular and the plural of ``word``; it need not be English (brownies → browny)."""
-    for ending, short, shortest in _ENDINGS:
-        if len(word) >= shortest and word.endswith(ending):
-            return word.removesuffix(ending) + short
-    if len(word) >= _SHORTEST_PLURAL and word.endswith("s") and not word.endswith(("ss", "us", "is")):
-        return word[:-1]
-    return word
