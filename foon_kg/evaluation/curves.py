@@ -13,14 +13,14 @@ BINS = 10
 _EXACTLY = 1e-9
 
 
-def recipes_over(shares: Sequence[float], thresholds: Sequence[int] = THRESHOLDS) -> tuple[float, ...]:
-    """Return for each threshold (per cent) the share of recipes that are at least so correct; 0 for no recipes.
+def recipes_over(shares: Sequence[float]) -> tuple[float, ...]:
+    """Return for each of ``THRESHOLDS`` the share of recipes that are at least so correct; 0 for no recipes.
 
     ``shares`` are between 0 and 1; 17 of 20 is at least 85 per cent, whatever floating point makes of it.
     """
     if not shares:
-        return (0.0,) * len(thresholds)
-    return tuple(sum(share >= threshold / 100 - _EXACTLY for share in shares) / len(shares) for threshold in thresholds)
+        return (0.0,) * len(THRESHOLDS)
+    return tuple(sum(share >= threshold / 100 - _EXACTLY for share in shares) / len(shares) for threshold in THRESHOLDS)
 
 
 def histogram(confidences: Sequence[float]) -> tuple[int, ...]:

@@ -39,7 +39,7 @@ class RecipeFigures:
         """The recipe's id, else its title."""
         return self.recipe.id or self.recipe.title or ""
 
-    @cached_property
+    @property
     def correct(self) -> float:
         """The share of the recipe that is correct, 0 to 1: the sum of its scores by the greatest possible."""
         return share_correct([line.score for line in self.scores])
@@ -83,17 +83,17 @@ class DishFigures:
         """How many progress lines were scored."""
         return sum(len(recipe.scores) for recipe in self.recipes)
 
-    @cached_property
+    @property
     def curve(self) -> dict[int, float]:
         """The share of recipes that are at least so many per cent correct, by threshold."""
         return dict(zip(THRESHOLDS, recipes_over([recipe.correct for recipe in self.recipes]), strict=True))
 
-    @cached_property
+    @property
     def confidences(self) -> tuple[int, ...]:
         """How many substitutions have a confidence in each tenth from 0 to 1."""
         return histogram([confidence for recipe in self.recipes for confidence in recipe.confidences])
 
-    @cached_property
+    @property
     def reasons(self) -> dict[Reason, int]:
         """How many lines have their score for which reason."""
         counts = Counter(line.reason for recipe in self.recipes for line in recipe.scores)
@@ -102,6 +102,7 @@ class DishFigures:
     @cached_property
     def verdicts(self) -> Verdicts:
         """What the judge says of the trees of all these recipes."""
+        # kept for what it keeps itself
         return Verdicts(tuple(recipe.report for recipe in self.recipes))
 
     @property
@@ -136,6 +137,7 @@ class RecipeEvaluation:
     @cached_property
     def dishes(self) -> tuple[DishFigures, ...]:
         """The figures of each dish type, by name."""
+        # kept, as are those of all: 10,000 samples are drawn for the interval of each
         names = sorted({recipe.recipe.dish_type for recipe in self.recipes})
         return tuple(
             DishFigures.of(name, [one for one in self.recipes if one.recipe.dish_type == name], self.seed)

@@ -20,6 +20,7 @@ LEVEL = 0.95
 """How much of them an interval holds."""
 
 _AT_ONCE = 1_000_000
+"""So many drawn places are in memory at a time (8 MB): recipes may be hundreds of thousands."""
 
 
 @dataclass(frozen=True)

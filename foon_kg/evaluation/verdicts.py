@@ -48,22 +48,22 @@ class Verdicts:
         """The reports on the trees that there are."""
         return tuple(report for report in self.reports if report is not None)
 
-    @cached_property
+    @property
     def robot(self) -> int:
         """How many trees a robot can carry out."""
         return sum(report.robot for report in self.trees)
 
-    @cached_property
+    @property
     def cook(self) -> int:
         """Of how many trees a cook would serve what comes of them."""
         return sum(report.cook for report in self.trees)
 
-    @cached_property
+    @property
     def accepted(self) -> int:
         """How many trees robot and cook both accept."""
         return sum(report.accepted for report in self.trees)
 
-    @cached_property
+    @property
     def form(self) -> int:
         """How many trees keep C1 to C9."""
         return sum(report.form for report in self.trees)
@@ -80,6 +80,7 @@ class Verdicts:
     @cached_property
     def rules(self) -> dict[str, RuleCount]:
         """What came of each rule, in the order of the contract."""
+        # kept: a table asks for one rule after another, and each goes through every report
         asked = Counter(rule for report in self.trees for rule in _asked(report))
         fatal = Counter(rule for report in self.trees for rule in report.fatal)
         broken = Counter(rule for report in self.trees for rule in report.broken)

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
 
 from foon_kg.evaluation.methods import OURS
 from foon_kg.evaluation.resampling import Interval, bootstrap_mean, paired_difference
 from foon_kg.evaluation.sampling import LeftOut
 from foon_kg.evaluation.tree_overlap import MEASURES, Overlap
+from foon_kg.evaluation.verdicts import ALL
 from foon_kg.model import Recipe
 from foon_kg.model.json_fields import JsonObject
-
-ALL = "all"
-"""The name under which all videos are taken together."""
 
 
 @dataclass(frozen=True)
@@ -95,13 +92,13 @@ class LeaveOneOut:
     left_out: tuple[LeftOut, ...] = ()
     no_question: tuple[str, ...] = ()
 
-    @cached_property
+    @property
     def dishes(self) -> tuple[VideosTogether, ...]:
         """The figures of each dish type, by name."""
         names = sorted({video.recipe.dish_type for video in self.videos})
         return tuple(self._together(name) for name in names)
 
-    @cached_property
+    @property
     def all(self) -> VideosTogether:
         """The figures of all videos."""
         return VideosTogether(ALL, self.videos, self.methods, self.seed)

@@ -8,18 +8,16 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
-from urllib.parse import urlsplit
 
 from foon_kg.food.lists import word_list
-from foon_kg.foon import Foon
-from foon_kg.formats.exports.recipe import video_address
+from foon_kg.foon import Foon, Snapshot
+from foon_kg.formats.video_address import is_web_address, video_address
 from foon_kg.model import KnownUnit, Sighting
 from foon_kg.model.drafted import Lesson
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.names import canonical
 from foon_kg.model.node_json import node_to_json, sighting_to_json
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.questions import UnknownError
 
 Kind = Literal["ingredient", "food", "avoidable", "object", "thing", "state", "dish", "goal"]
@@ -203,13 +201,10 @@ def place_to_see(sightings: Sequence[Sighting], videos: Collection[str] = ()) ->
     return next((one for one in own if one.start is not None), own[0] if own else None)
 
 
-def seen_at(sightings: Sequence[Sighting], videos: Collection[str] = ()) -> str | None:
-    """Return the web address of the second in which a unit is seen, or ``None``.
-
-    It is one of ``sightings``, in one of ``videos`` if there is one, as :func:`place_to_see` says.
-    """
-    seen = place_to_see(sightings, videos)
-    if seen is None or seen.source is None or urlsplit(seen.source).scheme not in {"http", "https"}:
+def seen_at(sightings: Sequence[Sighting]) -> str | None:
+    """Return the web address of the second in which a unit is seen, of one of ``sightings``, or ``None``."""
+    seen = place_to_see(sightings)
+    if seen is None or seen.source is None or not is_web_address(seen.source):
         return None
     return video_address(seen.source, seen.start)
 

@@ -106,6 +106,11 @@ def test_a_sample_is_drawn_from_each_dish_type(folder):
     assert len(answer["videos"]) == 2
 
 
+def test_a_dish_type_that_nobody_knows_is_refused_by_its_name(folder):
+    answer = evaluate(folder, "--dish", "salat")
+    assert (answer.exit_code, "“salat” is no dish type" in answer.stderr) == (2, True)
+
+
 def test_a_dish_type_of_too_few_goals_has_nothing_to_leave_out(folder):
     answer = evaluate(folder, "--dish", "pie")
     assert answer.exit_code == 2

@@ -137,7 +137,7 @@ def test_a_recipe_without_a_tree_counts_as_nothing_and_is_named(tmp_path):
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
-    [(["--dish", "nectar"], "no dish type nectar"), (["--dish", "pork"], "no such recipe")],
+    [(["--dish", "nectar"], "“nectar” is no dish type"), (["--dish", "pork"], "no such recipe")],
 )
 def test_what_cannot_be_asked_is_told(salads, arguments, said):
     answer = evaluate(salads, *arguments)

@@ -22,7 +22,7 @@ from foon_kg.formats.exports.mermaid import write_mermaid
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import Recipe, Sighting
 from foon_kg.model.errors import FormatError
-from foon_kg.model.tree import Step, TreeUnit
+from foon_kg.model.tree import Step, TreeUnit, nodes_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult, ReferenceSummary
 from foon_kg.store.snapshot import Snapshot
@@ -36,6 +36,10 @@ def shape(tree):
     objects = {node for known in tree.units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
     edges = sum(len(k.unit.input_nodes) + len(k.unit.output_nodes) for k in tree.units)
     return len(objects | set(tree.kitchen)), len(tree.units), edges
+
+
+def nodes_in(tree):
+    return nodes_of(known.unit for known in tree.units)
 
 
 def parsed_mermaid(text):
@@ -64,7 +68,7 @@ def test_a_flowchart_has_the_graph_and_every_name(tree):
     assert title == tree.title
     assert (len(nodes), len(motions), len(edges)) == (objects + units, units, count)
     assert motions == [known.unit.motion + "*" * known.unit.accepts_any for known in tree.units]
-    assert {str(node) for node in tree.nodes} <= {text for text, _ in nodes.values()}
+    assert {str(node) for node in nodes_in(tree)} <= {text for text, _ in nodes.values()}
     assert {end for edge in edges for end in edge[:2]} <= nodes.keys()
 
 
@@ -84,7 +88,7 @@ def test_graphml_gives_networkx_every_field(tree):
         )
         for d in found
     }
-    assert read >= {(n.label, n.states, n.ingredients, n.relation, n.container) for n in tree.nodes}
+    assert read >= {(n.label, n.states, n.ingredients, n.relation, n.container) for n in nodes_in(tree)}
     assert len(read) == objects
     motions = [graph.nodes[f"m{place}"] for place in range(1, units + 1)]
     assert [(m["motion"], m["accepts_any"]) for m in motions] == [
@@ -111,7 +115,7 @@ def test_dot_is_read_by_a_parser_of_dot(tree):
     nodes = {node.get_name(): node for node in graph.get_nodes() if re.fullmatch(r"[om]\d+", node.get_name())}
     assert (len(nodes), len(graph.get_edges())) == (objects + units, count)
     labels = {unquoted(node.get("label")) for node in nodes.values()}
-    assert {str(node) for node in tree.nodes} <= labels
+    assert {str(node) for node in nodes_in(tree)} <= labels
 
 
 def unquoted(text):

@@ -13,6 +13,7 @@ from pictures.demo_plans import demo_plan
 from foon_kg.formats.exports.pddl import foon_to_pddl, tree_to_pddl
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model.errors import FormatError, UsageError
+from foon_kg.model.tree import nodes_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 
@@ -101,7 +102,8 @@ def test_every_name_is_legal_and_unique_and_its_original_stands_beside_it(tree):
     written = tree_to_pddl(tree)
     problem = Problem(written)
     listed = [line.split() for line in written.domain.splitlines() if re.fullmatch(r"    n\d+\S* - \w+", line)]
-    assert len(listed) == len({name for name, _, _ in listed}) == len({*tree.nodes, *tree.kitchen, tree.goal})
+    nodes = nodes_of(known.unit for known in tree.units)
+    assert len(listed) == len({name for name, _, _ in listed}) == len({*nodes, *tree.kitchen, tree.goal})
     assert all(NAME.fullmatch(name) for name in problem.actions)
     assert len(problem.actions) == len(tree.units)
     assert steps_of(written.plan) == list(problem.actions)

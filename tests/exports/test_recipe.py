@@ -10,9 +10,10 @@ from hypothesis import given, settings
 from kitchen_stories import ADD_ONION, ADD_SALT, CHOP_ONION, MIX, SALAD, node, subgraph, unit
 
 from foon_kg.formats.exports.phrases import listed
-from foon_kg.formats.exports.recipe import video_address, write_recipe
+from foon_kg.formats.exports.recipe import write_recipe
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
+from foon_kg.formats.video_address import video_address
 from foon_kg.model import Recipe, RequiredIngredient, Sighting
 from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.tree import TreeUnit
@@ -193,6 +194,7 @@ def test_a_foon_file_without_addresses_names_its_video():
     [
         ("https://www.youtube.com/watch?v=a", 70.9, "https://www.youtube.com/watch?v=a&t=70s"),
         ("https://youtu.be/a", 5.0, "https://youtu.be/a?t=5s"),
+        ("https://youtu.be/a#notes", 5.0, "https://youtu.be/a?t=5s#notes"),
         ("http://x.org/a.mp4", 70.5, "http://x.org/a.mp4#t=70.5"),
         ("http://x.org/a.mp4", None, "http://x.org/a.mp4"),
     ],

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import pytest
 from chromium import PAPERS, as_usual, as_wide_as_the_screen, fingers, on_screen, papers
 from pictures.demo_plans import demo_plan
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
-from foon_kg.formats.pictures.page import page_of
+from foon_kg.demo import demo_folder
+from foon_kg.formats.pictures.page import page_of, steps_list
 from foon_kg.formats.views.shown_tree import ShownTree
+from foon_kg.loaders import read_paths
 from foon_kg.plans.kitchen import Kitchen
 
 KITCHEN = Kitchen.default()
@@ -21,6 +24,13 @@ def page(tmp_path_factory):
     path = tmp_path_factory.mktemp("page") / "plan.html"
     path.write_text(page_of(ShownTree.of_result(demo_plan("kohlrabi_salad")), KITCHEN), encoding="utf-8")
     return path
+
+
+@pytest.mark.parametrize(("source", "linked"), [("http://[oops", False), ("http://x.org/a.mp4", True)])
+def test_what_is_no_address_is_no_link(source, linked):
+    (salad,) = (one.subgraph for one in read_paths([demo_folder() / "greek_salad.txt"]))
+    steps = steps_list(ShownTree.of_subgraph(replace(salad, sources=(source,))))
+    assert (f'href="{source}' in steps) is linked
 
 
 @pytest.fixture
@@ -195,6 +205,6 @@ def test_a_step_links_to_the_second_of_its_video_only_by_web_addresses(page):
     for sightings, linked in ((seen, True), (odd, False)):
         units = tuple(dataclasses.replace(unit, seen_in=sightings) for unit in result.units)
         html = page_of(ShownTree.of_result(dataclasses.replace(result, units=units)), KITCHEN)
-        assert ('href="https://example.org/watch?v=1&amp;t=65"' in html) is linked
+        assert ('href="https://example.org/watch?v=1#t=65"' in html) is linked
         assert "javascript:" not in html
         assert "soup at 1:05" in html

@@ -19,7 +19,7 @@ from foon_kg.model.nodes import Timing
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.evidence import by_place, stands_in
 from foon_kg.web.foon import FixedFoon
-from foon_kg.web.words import place_to_see
+from foon_kg.web.words import place_to_see, seen_at
 
 
 def test_every_place_of_the_foon_has_its_unit():
@@ -136,3 +136,11 @@ def test_the_place_to_see_is_in_the_video_that_is_followed_and_has_a_time_where_
     best = max((one.video in videos, one.start is not None) for one in sightings)
     assert (found.video in videos, found.start is not None) == best
     assert all((one.video in videos, one.start is not None) != best for one in sightings[: found.position])
+
+
+@pytest.mark.parametrize(
+    ("source", "address"),
+    [("http://x.org/a.mp4", "http://x.org/a.mp4#t=3"), ("http://[oops", None), ("javascript:alert(1)", None)],
+)
+def test_only_what_opens_a_page_is_an_address(source, address):
+    assert seen_at([Sighting("salad", 0, source, 3.0)]) == address

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from foon_kg.formats.exports.graph import BipartiteGraph
-from foon_kg.formats.exports.recipe import is_web_address
+from foon_kg.formats.video_address import is_web_address
 from foon_kg.model import KnownUnit, ObjectNode
 
 _HEAD = (

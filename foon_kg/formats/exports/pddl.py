@@ -41,7 +41,7 @@ class PlanningProblem:
     plan: str | None = None
 
 
-def tree_to_pddl(tree: ExportedTree, kitchen: Kitchen | None = None) -> PlanningProblem:
+def tree_to_pddl(tree: ExportedTree) -> PlanningProblem:
     """Return the problem that a task tree solves: its units, its kitchen, its goal, and its order as a plan.
 
     Raises :class:`~foon_kg.model.errors.FormatError` for a tree that does not say what its goal is.
@@ -52,9 +52,9 @@ def tree_to_pddl(tree: ExportedTree, kitchen: Kitchen | None = None) -> Planning
             hint="Export the plan result (JSON) or mark the goal with its dish class.",
         )
     if tree.result is not None and has_numbers(tree.result):
-        return _of_things(tree.title, Kitchenful(tree.result, kitchen or Kitchen.default()))
+        return _of_things(tree.title, Kitchenful(tree.result, Kitchen.default()))
     units = [known.unit for known in tree.units]
-    writer = _Writer.of(tree.title, units, tree.kitchen, (tree.goal,), kitchen or Kitchen.default())
+    writer = _Writer.of(tree.title, units, tree.kitchen, (tree.goal,), Kitchen.default())
     return PlanningProblem(writer.domain(), writer.problem(), writer.plan())
 
 

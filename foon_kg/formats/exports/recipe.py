@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from urllib.parse import quote, urlsplit
+from urllib.parse import quote
 
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.formats.substitution import handled
+from foon_kg.formats.video_address import is_web_address, video_address
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting
 from foon_kg.model.claims import Substitution
 from foon_kg.model.names import canonical
@@ -84,24 +85,6 @@ def _link(sighting: Sighting) -> str:
         return f"({_plain(sighting.video)})"
     at = f" at {int(start) // 60}:{int(start) % 60:02}" if start is not None else ""
     return f"([video{at}]({quote(video_address(source, start), safe=_IN_LINKS)}))"
-
-
-def is_web_address(source: str) -> bool:
-    """Return whether a link to ``source`` opens a page; ``javascript:`` and the like would do something else."""
-    try:
-        return urlsplit(source).scheme in {"http", "https"}
-    except ValueError:  # brackets that do not close
-        return False
-
-
-def video_address(source: str, start: float | None) -> str:
-    """Return the address of the video ``source`` from the second ``start`` on; of no start, its beginning."""
-    if start is None:
-        return source
-    parts = urlsplit(source)
-    if parts.hostname and (parts.hostname.endswith("youtube.com") or parts.hostname == "youtu.be"):
-        return f"{source}{'&' if parts.query else '?'}t={int(start)}s"
-    return source if parts.fragment else f"{source}#t={start:g}"
 
 
 def _states(node: ObjectNode) -> tuple[str, ...]:

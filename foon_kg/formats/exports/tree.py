@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Self
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Recipe, Subgraph
-from foon_kg.model.tree import newly_made, nodes_of
+from foon_kg.model.tree import newly_made
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 from foon_kg.store.snapshot import sightings_of
@@ -62,11 +61,6 @@ class ExportedTree:
         if self.recipe is not None and self.recipe.title:
             return self.recipe.title
         return self.goal.label if self.goal is not None else self.name
-
-    @cached_property
-    def nodes(self) -> tuple[ObjectNode, ...]:
-        """Every object node, in the order of appearance."""
-        return nodes_of(known.unit for known in self.units)
 
 
 def kitchen_of(units: Sequence[FunctionalUnit], kitchen: Kitchen) -> tuple[ObjectNode, ...]:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from html import escape
 from importlib import resources
-from urllib.parse import urlsplit
 
 from foon_kg.formats.pictures.progress import progress_svg
 from foon_kg.formats.pictures.svg import writable
 from foon_kg.formats.pictures.tree import tree_svg
 from foon_kg.formats.substitution import done_like, handled
+from foon_kg.formats.video_address import is_web_address, video_address
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import UNSEEN_SIGN, shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode, Sighting
@@ -95,11 +95,9 @@ def _step(unit: TreeUnit, tree: ShownTree) -> str:
 def _sighting(seen: Sighting) -> str:
     when = "" if seen.start is None else f" at {int(seen.start) // 60}:{int(seen.start) % 60:02}"
     text = _text(f"{seen.video}{when}")
-    address = seen.source or ""
-    if urlsplit(address).scheme not in {"http", "https"}:
+    if seen.source is None or not is_web_address(seen.source):
         return text
-    second = "" if seen.start is None else f"{'&' if '?' in address else '?'}t={int(seen.start)}"
-    return f'<a href="{_text(address + second)}" rel="noreferrer">{text}</a>'
+    return f'<a href="{_text(video_address(seen.source, seen.start))}" rel="noreferrer">{text}</a>'
 
 
 def _node(node: ObjectNode, tree: ShownTree) -> str:

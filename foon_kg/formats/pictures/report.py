@@ -61,9 +61,9 @@ def charts(*figures: tuple[str, str]) -> str:
     return f'<div class="charts">\n{"".join(shown)}</div>\n'
 
 
-def unfolded(summary: str, *parts: str, is_open: bool = False) -> str:
-    """Return what is shown when its ``summary`` (HTML already) is clicked, or at once where it ``is_open``."""
-    return f"<details{' open' if is_open else ''}>\n<summary>{summary}</summary>\n{''.join(parts)}</details>\n"
+def unfolded(summary: str, *parts: str) -> str:
+    """Return what is shown when its ``summary`` (HTML already) is clicked."""
+    return f"<details>\n<summary>{summary}</summary>\n{''.join(parts)}</details>\n"
 
 
 def tree_picture(tree: ShownTree, kitchen: Kitchen, name: str) -> str:

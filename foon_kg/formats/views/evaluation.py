@@ -16,7 +16,7 @@ from foon_kg.evaluation.resampling import Interval
 from foon_kg.evaluation.sampling import FEWEST_GOALS, LeftOut
 from foon_kg.evaluation.trees import TreesEvaluation
 from foon_kg.evaluation.verdicts import Verdicts
-from foon_kg.formats.views.words import ASIDE
+from foon_kg.formats.views.words import ASIDE, section
 from foon_kg.validation import RULES
 
 _QUOTED = (100, 95, 90, 85, 75, 50)
@@ -117,11 +117,6 @@ def agreement_view(agreement: Agreement, left_open: int) -> RenderableType:
     for score, counts in enumerate(agreement.table):
         table.add_row(str(score), *map(str, counts))
     return Group(section("People and the rule", grid(rows)), Padding(table, (1, 0, 0, 2)))
-
-
-def section(title: str, body: RenderableType) -> RenderableType:
-    """Return ``body`` under a title."""
-    return Group(Text(), Text(title, "bold"), Padding(body, (0, 0, 0, 2)))
 
 
 def columns(first: str, *others: str) -> Table:

@@ -10,7 +10,8 @@ from foon_kg.evaluation.methods import OURS
 from foon_kg.evaluation.resampling import Interval
 from foon_kg.evaluation.tree_overlap import MEASURES
 from foon_kg.evaluation.video_figures import LeaveOneOut, VideosTogether
-from foon_kg.formats.views.evaluation import columns, interval_words, left_out_view, per_cent, section
+from foon_kg.formats.views.evaluation import columns, interval_words, left_out_view, per_cent
+from foon_kg.formats.views.words import section
 
 TITLES = {
     "units": "Units in common: motion and main object",

@@ -5,11 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 
 from rich.console import Group, RenderableType
-from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from foon_kg.formats.views.words import ASIDE, in_a_row, motion_words, node_words, shown_inputs, shown_outputs
+from foon_kg.formats.views.words import ASIDE, in_a_row, motion_words, node_words, section, shown_inputs, shown_outputs
 from foon_kg.search.classic import Criterion, RetrievalResult, RetrievedUnit
 
 _LEVELS = {1: "objects alone", 2: "objects with their states", 3: "objects with states and ingredients"}
@@ -18,11 +17,7 @@ _LEVELS = {1: "objects alone", 2: "objects with their states", 3: "objects with 
 def retrieval_view(tree: RetrievalResult) -> RenderableType:
     """Return what the tree makes, how good it is, its steps and what has to be in the kitchen."""
     kitchen = in_a_row(map(node_words, tree.kitchen), " · ")
-    return Group(_header(tree), _section("Steps", _steps(tree)), _section("Kitchen", kitchen))
-
-
-def _section(title: str, body: RenderableType) -> RenderableType:
-    return Group(Text(), Text(title, "bold"), Padding(body, (0, 0, 0, 2)))
+    return Group(_header(tree), section("Steps", _steps(tree)), section("Kitchen", kitchen))
 
 
 def _header(tree: RetrievalResult) -> RenderableType:

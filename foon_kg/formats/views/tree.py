@@ -26,6 +26,7 @@ from foon_kg.formats.views.words import (
     in_a_row,
     motion_words,
     node_words,
+    section,
     shown_inputs,
     shown_outputs,
     stage_words,
@@ -58,20 +59,20 @@ def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
         rest.append(Padding(Text(legend, ASIDE), (1, 0, 0, 0)))
     header = _header(tree.result, unseen) if tree.result else _plain_header(tree)
     steps = _units(tree.units, unseen) if as_units else _sentences(tree.units, unseen)
-    return Group(header, _Beside(_section("Steps", steps), Group(*rest)))
+    return Group(header, _Beside(section("Steps", steps), Group(*rest)))
 
 
 def _beside_the_steps(tree: ShownTree, unseen: frozenset[str]) -> Iterator[RenderableType]:
     """Yield what there is to say of a tree besides its steps; foods that are ``unseen`` carry their sign."""
-    yield _section("Kitchen", in_a_row((node_words(n, unseen) for n in _at_hand(tree.kitchen)), " · "))
+    yield section("Kitchen", in_a_row((node_words(n, unseen) for n in _at_hand(tree.kitchen)), " · "))
     if tree.substitutions:
-        yield _section("Substitutions", _substitutions(tree.substitutions))
+        yield section("Substitutions", _substitutions(tree.substitutions))
     if tree.result and tree.result.assumptions:
-        yield _section("Assumptions", _assumptions(tree.result))
+        yield section("Assumptions", _assumptions(tree.result))
     if tree.result and tree.result.passed_over:
-        yield _section("Nearer by their foods, and passed over", _passed_over(tree.result))
+        yield section("Nearer by their foods, and passed over", _passed_over(tree.result))
     if tree.lines:
-        yield _section("Progress of each ingredient", _progress(lives(tree.lines), unseen))
+        yield section("Progress of each ingredient", _progress(lives(tree.lines), unseen))
 
 
 def _at_hand(kitchen: Sequence[ObjectNode]) -> Iterator[ObjectNode]:
@@ -105,19 +106,15 @@ class _Beside:
         yield table
 
 
-def dish_name(recipe: Recipe) -> str:
+def _dish_name(recipe: Recipe) -> str:
     """Return what to call a recipe: its title, else its id, else its dish type."""
     return recipe.title or recipe.id or recipe.dish_type
-
-
-def _section(title: str, body: RenderableType) -> RenderableType:
-    return Group(Text(), Text(title, "bold"), Padding(body, (0, 0, 0, 2)))
 
 
 def _header(result: PlanResult, unseen: frozenset[str]) -> RenderableType:
     table = Table.grid(padding=(0, 1))
     asked = Text(", ").join(_asked(wanted) for wanted in result.recipe.ingredients)
-    name, dish_type = dish_name(result.recipe), result.recipe.dish_type
+    name, dish_type = _dish_name(result.recipe), result.recipe.dish_type
     table.add_row(Text("dish", ASIDE), Text(name if name == dish_type else f"{name} ({dish_type})", "bold"))
     table.add_row(Text("asked", ASIDE), asked)
     table.add_row(Text("makes", ASIDE), node_words(result.goal, unseen))

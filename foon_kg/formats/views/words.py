@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
+from rich.console import Group, RenderableType
+from rich.padding import Padding
 from rich.text import Text
 
 from foon_kg.model import ObjectNode
@@ -50,6 +52,11 @@ def stage_words(states: Sequence[str], relation: str | None, container: str | No
 def motion_words(motion: str) -> Text:
     """Return a motion as it stands between what it takes and what it makes."""
     return Text(motion.upper(), MOTION)
+
+
+def section(title: str, body: RenderableType) -> RenderableType:
+    """Return ``body`` under a ``title``."""
+    return Group(Text(), Text(title, "bold"), Padding(body, (0, 0, 0, 2)))
 
 
 def in_a_row(words: Iterable[Text], between: str) -> Text:
