@@ -54,7 +54,7 @@ class Command:
 DEMO = demo_folder()
 HEAVY = frozenset({"pandas", "pyarrow", "requests", "spacy", "jgo"})
 COMMANDS = (
-    Command(("--help",), 47, 40, HEAVY),
+    Command(("--help",), 48, 40, HEAVY),
     Command(("cypher", "RETURN 1"), 38, 260, HEAVY | {"numpy"}),
     Command(("stats",), 36, 260, HEAVY | {"numpy"}),
     Command(("load", "foon", str(DEMO)), 61, 260, HEAVY | {"numpy"}, again=True),

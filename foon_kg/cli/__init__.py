@@ -10,11 +10,11 @@ import typer
 
 from foon_kg import __version__
 from foon_kg.cli import data_frames
-from foon_kg.cli.commands import Foon
-from foon_kg.cli.groups import Commanded
+from foon_kg.cli.commands import RootCommand
+from foon_kg.cli.groups import CommandGroup
 
-app = Commanded(
-    cls=Foon,
+app = CommandGroup(
+    cls=RootCommand,
     name="foon",
     context_settings={"help_option_names": ["-h", "--help"]},
     epilog="Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no tree.",

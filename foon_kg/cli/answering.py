@@ -15,9 +15,7 @@ from foon_kg.cli.runs import progress_bar, waited
 
 if TYPE_CHECKING:
     from foon_kg.cli.answer_file import AnswerFile
-    from foon_kg.foon import Foon
-    from foon_kg.planning.batch import Answer, Question
-    from foon_kg.planning.settings import PlanSettings
+    from foon_kg.foon import Answer, Foon, PlanSettings, Question
 
 Show = Callable[["Answer"], None]
 

@@ -7,10 +7,8 @@ from typing import TYPE_CHECKING
 from foon_kg.cli.console import Say, print_json, print_view
 
 if TYPE_CHECKING:
-    from foon_kg.foon import Foon
+    from foon_kg.foon import Foon, PlanSettings, Question
     from foon_kg.model.json_fields import JsonObject
-    from foon_kg.planning.batch import Question
-    from foon_kg.planning.settings import PlanSettings
     from foon_kg.search import ReferenceTree
 
 

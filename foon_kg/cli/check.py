@@ -16,11 +16,11 @@ from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
+    from foon_kg.foon import Foon
     from foon_kg.model import ObjectNode, Recipe
     from foon_kg.model.json_fields import JsonObject
     from foon_kg.model.tree import TaskTree
     from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.store.snapshot import Snapshot
     from foon_kg.validation import Finding, KnownFoon, Report
 
 EXAMPLES = examples(
@@ -100,13 +100,14 @@ def _judged(
 
     with front_door(files, say) as door:
         snapshot = door.snapshot()  # what the judge looks up may be anywhere in it
-        asked = _recipe(recipe, snapshot, say)
+        whole = Foon(snapshot)
+        asked = _recipe(recipe, whole, say)
         documents = [document for path in trees for document in read_trees(path, asked)]
         known = door.with_drafts() if any(map(_is_after_a_draft, documents)) else snapshot
     for notice in (notice for document in documents for notice in document.notices):
         say(str(notice))
     foon = KnownFoon.of(known.units, known.goals())
-    at_hand = kitchen_of(kitchen, Foon(snapshot), say)
+    at_hand = kitchen_of(kitchen, whole, say)
     reports = [_report(document.tree, foon, at_hand) for document in documents]
     return list(zip(documents, _with_repetition(documents, reports), strict=True))
 
@@ -116,13 +117,11 @@ def _is_after_a_draft(document: TreeDocument) -> bool:
     return isinstance(reference, dict) and "draft_confidence" in reference
 
 
-def _recipe(path: Path | None, snapshot: Snapshot, say: Say) -> Recipe | None:
+def _recipe(path: Path | None, foon: Foon, say: Say) -> Recipe | None:
     """Read the recipe as ``foon plan`` reads it, so that both mean the same foods and states."""
-    from foon_kg.planning.recipes import IngredientWords, read_recipe
-
     if path is None:
         return None
-    read = read_recipe(path, IngredientWords(snapshot.vocabulary(), snapshot.kitchen))
+    read = next(foon.read_recipes(path))
     for note in read.notes:
         say(note)
     return read.recipe

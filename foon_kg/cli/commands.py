@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, cast
 import typer
 
 from foon_kg.cli.console import ErrorsAtTheEdge
-from foon_kg.cli.groups import Commanded
+from foon_kg.cli.groups import CommandGroup
 
 
 class Home(NamedTuple):
@@ -75,7 +75,7 @@ class Commands(Mapping[str, Any]):
 def _made(name: str, home: Home) -> Any:  # noqa: ANN401 - as above
     there = import_module(f"foon_kg.cli.{home.module}")
     if home.examples:
-        alone = Commanded(add_completion=False)
+        alone = CommandGroup(add_completion=False)
         alone.command(name, epilog=getattr(there, home.examples))(getattr(there, name))
         made: Any = typer.main.get_command(alone)
     else:
@@ -84,7 +84,7 @@ def _made(name: str, home: Home) -> Any:  # noqa: ANN401 - as above
     return made
 
 
-class Foon(ErrorsAtTheEdge):
+class RootCommand(ErrorsAtTheEdge):
     """The root of all commands."""
 
     def __init__(self, **attributes: Any) -> None:  # noqa: ANN401 - whatever typer gives to a group

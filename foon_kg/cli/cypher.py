@@ -104,7 +104,7 @@ def _one_form(form: Form | None, *, as_json: bool, as_csv: bool) -> Form:
 
 def _question(query: str | None, name: str | None, given: dict[str, str]) -> tuple[str, dict[str, object]]:
     """Return the text to ask and its parameters: of a query of ours, or as the person typed them."""
-    from foon_kg.cli.explore import explore_query, values
+    from foon_kg.cli.named_queries import explore_query, values
 
     if name is not None:
         ours = explore_query(name)
@@ -114,7 +114,7 @@ def _question(query: str | None, name: str | None, given: dict[str, str]) -> tup
 
 
 def _list_queries(*, as_json: bool) -> None:
-    from foon_kg.cli.explore import command
+    from foon_kg.cli.named_queries import command
     from foon_kg.cypher import explore_queries
 
     if as_json:

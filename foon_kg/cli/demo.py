@@ -70,15 +70,13 @@ def demo_subgraphs() -> list[Subgraph]:
 
 
 def _planned(foon: Foon, say: Say) -> PlanResult:
+    from foon_kg.foon import PlanSettings, Question
     from foon_kg.foon.demo import demo_recipes
     from foon_kg.model.errors import FoonError
-    from foon_kg.planning.batch import Question
-    from foon_kg.planning.recipes import read_recipe
-    from foon_kg.planning.settings import PlanSettings
     from foon_kg.plans.result import PlanResult
 
     path = next(path for path in demo_recipes() if path.stem == RECIPE)
-    recipe = read_recipe(path, foon.words()).recipe
+    recipe = next(foon.read_recipes(path)).recipe
     say(f"Planning {recipe.title}, from {', '.join(i.object for i in recipe.ingredients)}.\n")
     answer = foon.answer(Question(given=recipe), PlanSettings())
     if not isinstance(answer.outcome, PlanResult):

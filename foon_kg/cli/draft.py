@@ -10,16 +10,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli import draft_recipes, draft_review
-from foon_kg.cli.console import (
-    Files,
-    Json,
-    Quiet,
-    Say,
-    examples,
-    print_json,
-    sayer,
-)
-from foon_kg.cli.groups import Commanded
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
+from foon_kg.cli.dish_types import check_dish_types
+from foon_kg.cli.groups import CommandGroup
 from foon_kg.model.errors import UsageError
 from foon_kg.model.written_files import write_file, writing
 
@@ -29,7 +22,7 @@ if TYPE_CHECKING:
     from foon_kg.model import Subgraph
     from foon_kg.model.narration import Narration
 
-app = Commanded(name="draft", help="Draft subgraphs of narrated videos and of text.")
+app = CommandGroup(name="draft", help="Draft subgraphs of narrated videos and of text.")
 
 Output = Annotated[
     Path, typer.Option("--output", "-o", metavar="FOLDER", help="Write a draft (VIDEO.csv) for every video here.")
@@ -107,12 +100,10 @@ def text(
     """
     from foon_kg.language.recipe_text import ingredients, recipe_text
     from foon_kg.loaders.narrated import is_video_name
-    from foon_kg.model import DISH_TYPES
     from foon_kg.model.errors import ReadError
     from foon_kg.model.narration import Narration, Sentence
 
-    if dish is not None and dish not in DISH_TYPES:
-        raise UsageError(f"there is no dish type “{dish}”", hint=f"It is one of {', '.join(DISH_TYPES)}.")
+    check_dish_types([dish] if dish is not None else [])
     say = sayer(quiet=quiet)
     narrations = []
     for path in paths:
@@ -251,10 +242,14 @@ def _write(drafts: Iterable[Draft], folder: Path, *, force: bool, as_json: bool)
     from foon_kg.language.drafting.tables import write_draft
 
     counts = []
+    names = set[str]()
     with writing(folder, "Another --output."):
         folder.mkdir(parents=True, exist_ok=True)
     for draft in drafts:
         path = folder / f"{draft.name}.csv"
+        if draft.name in names:  # --force is for drafts of an earlier run
+            raise UsageError(f"{path}: two of these drafts have this name", hint="Draft them into two folders.")
+        names.add(draft.name)
         if path.exists() and not force:
             raise UsageError(f"{path}: is there already", hint="Another --output, or --force.")
         write_file(path, write_draft(draft), "Another --output.")

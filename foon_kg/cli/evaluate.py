@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from foon_kg.cli import evaluate_recipes, evaluate_trees, evaluate_videos
-from foon_kg.cli.groups import Commanded
+from foon_kg.cli.groups import CommandGroup
 
-app = Commanded(name="evaluate", help="Measure how good the trees are.")
+app = CommandGroup(name="evaluate", help="Measure how good the trees are.")
 
 
 @app.callback()

@@ -12,6 +12,7 @@ import typer
 
 from foon_kg.cli import evaluate_options as options
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
+from foon_kg.cli.dish_types import check_dish_types
 from foon_kg.model import DISH_TYPES, Recipe
 from foon_kg.model.errors import ReadError, UsageError
 
@@ -107,32 +108,23 @@ def _asked(
     """Return the recipes to be planned: those of ``paths``, else those that the graph holds."""
     from foon_kg.evaluation.sampling import sampled
 
-    _refuse_unknown(dishes)
-    words = foon.words()
+    check_dish_types(dishes)
     if paths:
-        found = [one for one in _read(paths, words, say) if not dishes or one.dish_type in dishes]
+        found = [one for one in _read(paths, foon, say) if not dishes or one.dish_type in dishes]
         found = found if sample is None else sampled(found, sample, seed)
     else:
-        found = _stored(dishes or DISH_TYPES, sample, seed, words, say)
+        found = _stored(dishes or DISH_TYPES, sample, seed, foon.words(), say)
     if not found:
         raise UsageError("there is no such recipe", hint="Name other files or dish types; foon recipes counts them.")
     return found
 
 
-def _refuse_unknown(dishes: Sequence[str]) -> None:
-    """Refuse names that are no dish types."""
-    unknown = next((name for name in dishes if name not in DISH_TYPES), None)
-    if unknown is not None:
-        raise UsageError(f"there is no dish type {unknown}", hint=f"One of: {', '.join(DISH_TYPES)}.")
-
-
-def _read(paths: Sequence[Path], words: IngredientWords, say: Say) -> list[Recipe]:
+def _read(paths: Sequence[Path], foon: Foon, say: Say) -> list[Recipe]:
     """Read recipe files; raises ReadError where one cannot be read, or two have one id."""
-    from foon_kg.planning.recipes import read_recipe, recipe_files
+    from foon_kg.planning.recipes import recipe_files
 
     found = []
-    for path in recipe_files(paths):
-        read = read_recipe(path, words)
+    for read in foon.read_recipes(*recipe_files(paths)):
         found.append(read.recipe)
         for note in read.notes:
             say(note)
@@ -162,8 +154,7 @@ def _outcomes(foon: Foon, run: options.Run, asked: Sequence[Recipe]) -> list[Pla
     """Plan ``asked`` on several cores or machines; what the file of answers has already is not planned again."""
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.cli.answering import Writing, answer_all
-    from foon_kg.planning.batch import Answer, Question
-    from foon_kg.planning.settings import PlanSettings
+    from foon_kg.foon import Answer, PlanSettings, Question
     from foon_kg.plans.result import PlanFailure, PlanResult
 
     found: list[PlanResult | PlanFailure] = []

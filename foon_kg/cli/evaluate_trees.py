@@ -14,7 +14,7 @@ from foon_kg.cli.runs import progress_bar
 if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
     from foon_kg.evaluation.trees import TreesEvaluation
-    from foon_kg.store.snapshot import Snapshot
+    from foon_kg.foon import Snapshot
 
 EXAMPLES = examples(
     "foon evaluate trees plans.jsonl",

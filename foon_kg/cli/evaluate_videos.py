@@ -11,16 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli import evaluate_options as options
-from foon_kg.cli.console import (
-    Files,
-    Json,
-    Quiet,
-    examples,
-    json_line,
-    print_json,
-    print_view,
-    sayer,
-)
+from foon_kg.cli.console import Files, Json, Quiet, examples, json_line, print_json, print_view, sayer
+from foon_kg.cli.dish_types import check_dish_types
 from foon_kg.cli.runs import progress_bar
 
 if TYPE_CHECKING:
@@ -28,7 +20,7 @@ if TYPE_CHECKING:
     from foon_kg.evaluation.comparison import Comparison
     from foon_kg.evaluation.left_out_video import LeftOutVideo
     from foon_kg.evaluation.video_figures import LeaveOneOut, VideoFigures
-    from foon_kg.store.snapshot import Snapshot
+    from foon_kg.foon import Snapshot
 
 EXAMPLES = examples(
     "foon evaluate leave-one-out --files subgraphs/",
@@ -74,6 +66,7 @@ def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
     from foon_kg.cli.knowledge import whole_foon
     from foon_kg.evaluation.comparison import read_evaluation
 
+    check_dish_types(dish or [])
     say = sayer(quiet=quiet)
     before = None if compare is None else read_evaluation(compare, "leave-one-out")
     snapshot = whole_foon(files, say)

@@ -112,6 +112,7 @@ def export(
     elif form == "pddl":
         written = _problem(goal, kitchen, files, say)
     else:
+        _refuse({"--goal": goal, "--kitchen": kitchen}, form)
         written = _whole(form, weights, files, say)
     _write(written, output)
     if form == "csv" and output is not None:
@@ -142,13 +143,6 @@ def _costs_of_file(weights: Path | None) -> MotionCosts:
     return MotionCosts() if weights is None else read_weights(weights)
 
 
-def _stored_costs(say: Say) -> MotionCosts:
-    from foon_kg.cli.knowledge import open_knowledge
-
-    with open_knowledge(None, say) as view:
-        return view.motion_costs()
-
-
 def _chosen(form: str | None, output: Path | None) -> str:
     from foon_kg.formats.exports.formats import ENDINGS, all_formats
 
@@ -170,11 +164,16 @@ def _refuse(asked: dict[str, object], where: str) -> None:
 
 
 def _whole(form: str, weights: Path | None, files: Sequence[Path] | None, say: Say) -> list[ExportFile]:
-    from foon_kg.cli.knowledge import whole_foon
+    from foon_kg.cli.knowledge import front_door
     from foon_kg.formats.exports.formats import export_foon, weights_file
 
-    costs = _costs_of_file(weights) if weights or files else _stored_costs(say)
-    return [weights_file(costs)] if form == "weights" else list(export_foon(whole_foon(files, say), form, costs))
+    with front_door(files, say) as foon:
+        if weights is not None:
+            costs = _costs_of_file(weights)
+        else:
+            with foon.reading() as view:
+                costs = view.motion_costs()
+        return [weights_file(costs)] if form == "weights" else list(export_foon(foon.snapshot(), form, costs))
 
 
 def _problem(goal: str | None, kitchen: Path | None, files: Sequence[Path] | None, say: Say) -> list[ExportFile]:

@@ -13,7 +13,7 @@ from foon_kg.cli.help_pages import HelpedCommand
 F = TypeVar("F", bound=Callable[..., Any])
 
 
-class Commanded(typer.Typer):
+class CommandGroup(typer.Typer):
     """A group of commands; ``options`` are those of ``typer.Typer``."""
 
     def __init__(self, **options: Any) -> None:  # noqa: ANN401 - whatever typer takes

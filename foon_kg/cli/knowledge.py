@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,12 +10,10 @@ from foon_kg.cli.console import Say
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.foon import Foon
+    from foon_kg.foon import Foon, Snapshot
     from foon_kg.loaders.notices import ReadResult
     from foon_kg.model import Subgraph
     from foon_kg.model.drafted import Lesson
-    from foon_kg.store.graph import GraphView
-    from foon_kg.store.snapshot import Snapshot
 
 
 def front_door(files: Sequence[Path] | None, say: Say) -> Foon:
@@ -35,16 +32,6 @@ def _lessons_in(files: Sequence[Path]) -> Sequence[Lesson]:
     from foon_kg.model.drafted import surest
 
     return surest(lessons_of(read_drafted(filter(is_drafts_file, files))))
-
-
-@contextmanager
-def open_knowledge(files: Sequence[Path] | None, say: Say) -> Iterator[Snapshot | GraphView]:
-    """Open a FOON for reading: of ``files``, else the environment's Neo4j, else the local one (started if down).
-
-    ``say`` takes the lines that tell of the start. The connection is closed when the ``with`` statement ends.
-    """
-    with front_door(files, say) as foon, foon.reading() as view:
-        yield view
 
 
 def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:

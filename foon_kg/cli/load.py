@@ -13,7 +13,7 @@ import typer
 from foon_kg.cli import load_drafts, load_recipes, load_weights
 from foon_kg.cli.console import Json, Quiet, Say, examples, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
-from foon_kg.cli.groups import Commanded
+from foon_kg.cli.groups import CommandGroup
 from foon_kg.cli.loading import (
     UNWRITTEN,
     BadTolerance,
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from foon_kg.loaders import Notice, ReadResult
     from foon_kg.model import Subgraph
 
-app = Commanded(name="load", help="Load FOONs and collections of recipes into Neo4j.")
+app = CommandGroup(name="load", help="Load FOONs and collections of recipes into Neo4j.")
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,8 @@ def played(results: Sequence[ReadResult], say: Say) -> tuple[Notice, ...]:
     Asked are the rules of the world and of the table (docs/contract.md) and those of the form that need no recipe.
     What a video uses is looked up in the videos of ``results`` alone.
     """
+    from foon_kg.foon import Snapshot
     from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.store.snapshot import Snapshot
     from foon_kg.validation import KnownFoon
 
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from enum import StrEnum
@@ -31,7 +30,7 @@ from foon_kg.model.written_files import open_to_write, writing
 if TYPE_CHECKING:
     from foon_kg.cli.files_read import Where
     from foon_kg.food.unknown import UnknownWord
-    from foon_kg.loaders.notices import Notice, NoticeKind
+    from foon_kg.loaders.notices import Notice
     from foon_kg.loaders.recipe_collections import RecipeCollections
     from foon_kg.model.collected import UnderstoodRecipe
     from foon_kg.store.graph.recipes import RecipesStored
@@ -101,9 +100,9 @@ class Journal:
         self._report = report
         self._rejected: list[Notice] = []
         self._assumed: list[Notice] = []
-        self._kinds: Counter[NoticeKind] = Counter()
         self._asked: dict[tuple[str, str], str] = {}
         self.rejected = 0
+        self.assumed = 0
         self.left_over = 0
 
     def note(self, notice: Notice) -> None:
@@ -113,10 +112,12 @@ class Journal:
         self._write(notice.to_json())
         if notice.severity is Severity.REJECTED:
             self.rejected += 1
-            self._rejected += [notice] * (len(self._rejected) < _SHOWN)
+            first = self._rejected
         else:
-            self._kinds[notice.kind] += 1
-            self._assumed += [notice] * (len(self._assumed) < _SHOWN)
+            self.assumed += 1
+            first = self._assumed
+        if len(first) < _SHOWN:
+            first.append(notice)
 
     def note_left_over(self, understood: UnderstoodRecipe) -> None:
         """Take down the lines of an ``understood`` recipe in which no food was found."""
@@ -136,7 +137,7 @@ class Journal:
             say(str(notice))
         if more := self.rejected - len(self._rejected):
             say(f"{more} recipes more were rejected ({where_listed(self._report)})")
-        tell_assumed(self._assumed, self._kinds, self._report, say)
+        tell_assumed(self._assumed, self.assumed, self._report, say)
 
     def tell_left_over(self, say: Say) -> None:
         """Say how many lines name no food."""

@@ -13,7 +13,7 @@ from foon_kg.cli.console import Say, print_json
 if TYPE_CHECKING:
     from foon_kg.cli.files_read import Where
     from foon_kg.food.unknown import UnknownWord
-    from foon_kg.loaders import Notice, NoticeKind
+    from foon_kg.loaders import Notice
 
 Report = Annotated[
     Path | None,
@@ -36,9 +36,11 @@ DryRun = Annotated[bool, typer.Option("--dry-run", help="Read and report only; c
 UNWRITTEN = "Name a file that can be written after --report."
 
 _FEW = 10
+"""So many lines a person reads one by one; of more they look into the report."""
+
 _NAMED = 3
 _ONE_IN = 100
-"""So much may be unusable where nobody said how much."""
+"""So much may be unusable where nobody said how much: of thousands of units that people typed a few are broken."""
 
 
 def tell_in_short(
@@ -74,12 +76,11 @@ def in_short(skipped: int, assumed: int, unknown: int) -> str:
     return ", ".join(words for count, words in told if count)
 
 
-def tell_assumed(notices: Sequence[Notice], counts: Mapping[NoticeKind, int], report: Path | None, say: Say) -> None:
-    """Say what was read with an assumption: one by one where that is little, else in ``counts`` by kind.
+def tell_assumed(notices: Sequence[Notice], count: int, report: Path | None, say: Say) -> None:
+    """Say what was read with an assumption: one by one where that is little, else only how much it is, ``count``.
 
     ``notices`` are the first ones; there may be more. The ``report`` is the file that lists all of them.
     """
-    count = sum(counts.values())
     if count <= _FEW:
         for notice in notices:
             say(str(notice))

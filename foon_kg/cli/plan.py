@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, sayer
+from foon_kg.cli.dish_types import dish_types_like
 from foon_kg.cli.kitchen import KitchenFile
-from foon_kg.model import DISH_TYPES, Recipe
+from foon_kg.model import Recipe
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.cli.answering import Show
-    from foon_kg.planning.batch import Question
-    from foon_kg.planning.settings import Substitute
+    from foon_kg.foon import Question, Substitute
 
 EXAMPLES = examples(
     'foon plan --dish salad "chopped onion" "whole prune" "olive oil"',
@@ -34,10 +34,6 @@ EXAMPLES = examples(
 )
 
 
-def _dish_types(incomplete: str) -> list[str]:
-    return [dish_type for dish_type in DISH_TYPES if dish_type.startswith(incomplete)]
-
-
 Wanted = Annotated[
     list[str] | None,
     typer.Argument(
@@ -51,7 +47,7 @@ Dish = Annotated[
         "--dish",
         metavar="TYPE",
         help="The dish type (salad, soup, …) or a name (risotto); else the one most like these ingredients.",
-        autocompletion=_dish_types,
+        autocompletion=dish_types_like,
     ),
 ]
 RecipeIds = Annotated[
@@ -64,7 +60,7 @@ Collection = Annotated[
         "--recipes",
         metavar="all|TYPE",
         help="Plan all recipes that foon load recipes brought in, or those of a dish type, into the file of --output.",
-        autocompletion=_dish_types,
+        autocompletion=dish_types_like,
     ),
 ]
 Foon = Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")]
@@ -171,7 +167,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import front_door
     from foon_kg.cli.plan_collection import CollectionRun, plan_collection
-    from foon_kg.planning.settings import PlanSettings
+    from foon_kg.foon import PlanSettings
 
     _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
     _one_form({"--enumerate": enumerate_all, "--foon": foon, "--explain": explain, "--output": output is not None})
@@ -234,7 +230,7 @@ def _ours_only(asked: dict[str, bool]) -> None:
 
 
 def _substitute(text: str) -> Substitute:
-    from foon_kg.planning.settings import Substitute
+    from foon_kg.foon import Substitute
 
     food, equals, like = (part.strip() for part in text.partition("="))
     if not (food and equals and like):
@@ -244,7 +240,7 @@ def _substitute(text: str) -> Substitute:
 
 def _questions(wanted: Sequence[str], dish_type: str | None, ids: Sequence[str], say: Say) -> list[Question]:
     """Return what is asked: with ``--dish`` ingredients in words, else files where any of ``wanted`` looks like one."""
-    from foon_kg.planning.batch import Question
+    from foon_kg.foon import Question
     from foon_kg.planning.recipes import recipe_files
 
     if bool(wanted) == bool(ids):

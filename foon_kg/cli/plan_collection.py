@@ -10,13 +10,12 @@ from typing import TYPE_CHECKING
 from foon_kg.cli.answer_file import exit_code_of, value_of
 from foon_kg.cli.blocks import adding, form_of, whole_blocks
 from foon_kg.cli.console import Say, json_line
+from foon_kg.cli.dish_types import check_dish_types
 from foon_kg.cli.runs import progress_bar
-from foon_kg.model import DISH_TYPES
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.foon import Foon
-    from foon_kg.planning.settings import PlanSettings
+    from foon_kg.foon import Foon, PlanSettings
 
 ALL = "all"
 
@@ -52,13 +51,11 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
     """
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import front_door
-    from foon_kg.foon import Foon
-    from foon_kg.planning.batch import Question
+    from foon_kg.foon import Foon, Question
 
     if run.output is None:
         raise UsageError("a collection is planned into a file", hint="Name it: --output plans.jsonl.zst")
-    if which not in {ALL, *DISH_TYPES}:
-        raise UsageError(f"“{which}” is no dish type", hint=f"Say --recipes {ALL}, or one of {', '.join(DISH_TYPES)}.")
+    check_dish_types([] if which == ALL else [which])
     form_of(run.output)  # what it needs is missing now, and not when all is planned
     dish_type = "" if which == ALL else which
     with Foon.connect(say=run.say) as collection:

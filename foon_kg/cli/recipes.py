@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.console import Json, Quiet, examples, print_json, sayer
+from foon_kg.cli.dish_types import check_dish_types
 from foon_kg.cli.streams import data
 
 if TYPE_CHECKING:
@@ -69,8 +70,7 @@ def _drawn(foon: Foon, dish: str | None, partition: str, count: int, seed: int) 
     from foon_kg.model import DISH_TYPES
     from foon_kg.model.errors import UsageError
 
-    if dish is not None and dish not in DISH_TYPES:
-        raise UsageError(f"there is no dish type {dish}", hint=f"One of: {', '.join(DISH_TYPES)}.")
+    check_dish_types([dish] if dish is not None else [])
     ids = sorted({one for name in ([dish] if dish else DISH_TYPES) for one in foon.recipe_ids(name, partition)})
     if not ids:
         part = f" in the part “{partition}”" if partition else ""

@@ -82,7 +82,10 @@ def counting(
 
     timer = Timer(after, shown.start)
     timer.daemon = True
-    timer.start() if after else shown.start()
+    if after:
+        timer.start()
+    else:
+        shown.start()
     try:
         yield advance
     finally:

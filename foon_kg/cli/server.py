@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.console import Json, Quiet, examples, print_json, sayer
-from foon_kg.cli.groups import Commanded
+from foon_kg.cli.groups import CommandGroup
 
 if TYPE_CHECKING:
     from foon_kg.store.server import Status
 
-app = Commanded(name="server", help="The local Neo4j, for whoever names no other in NEO4J_URI.")
+app = CommandGroup(name="server", help="The local Neo4j, for whoever names no other in NEO4J_URI.")
 
 MEGABYTE = 1_000_000
 

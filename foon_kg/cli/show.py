@@ -76,6 +76,8 @@ def show(
     motion, and for the reference tree.
     """
     chosen = _form(form, {"svg": svg, "png": png, "html": html}, output)
+    if hands > 1 and not timetable:
+        raise UsageError("--hands is for --schedule", hint="Add --schedule, or leave it out.")
     matters = {"progress": progress, "schedule": timetable, "shopping": shopping, "difference": changes}
     matter = _matter(matters | {"units": as_units})
     if as_json or chosen == "json":
@@ -153,6 +155,8 @@ def shown_tree(path: Path, line: int = 1) -> ShownTree:
 
     text = text_of(path)
     if not text.lstrip().startswith("{"):
+        if line > 1:
+            raise UsageError(f"{path} is no file with many results, and --line asks for {line}", hint="Leave it out.")
         return _of_text(text, path)
     values = list(json_values(path, text))
     if line > len(values):

@@ -27,11 +27,12 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.foon.plan import Plan, Step
     from foon_kg.model import KnownUnit
     from foon_kg.model.knowledge import Neighbour
-    from foon_kg.planning.batch import Question
+    from foon_kg.planning.batch import Answer, Question
     from foon_kg.planning.candidates import Candidates
+    from foon_kg.planning.explanation import Explanation, Joining, PassedOver
     from foon_kg.planning.kitchen_file import ReadKitchen
-    from foon_kg.planning.recipes import IngredientWords
-    from foon_kg.planning.settings import PlanSettings
+    from foon_kg.planning.recipes import IngredientWords, ReadRecipe
+    from foon_kg.planning.settings import PlanSettings, Substitute
     from foon_kg.planning.suggestion import Suggestion, Suggestions
     from foon_kg.plans.kitchen import Kitchen
     from foon_kg.plans.result import PlanResult
@@ -39,16 +40,50 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.search.classic import RetrievalResult
     from foon_kg.store.doctor import Finding
     from foon_kg.store.graph import GraphView
+    from foon_kg.store.settings import ConnectionSettings
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.statistics import Statistics
+    from foon_kg.store.with_drafts import WithDrafts
 
-__all__ = ["Foon", "Plan", "Step"]
+__all__ = [
+    "Answer",
+    "ConnectionSettings",
+    "Explanation",
+    "Foon",
+    "Joining",
+    "PassedOver",
+    "Plan",
+    "PlanSettings",
+    "Question",
+    "ReadKitchen",
+    "Snapshot",
+    "Step",
+    "Substitute",
+    "WithDrafts",
+]
+
+_HOMES = {
+    "Answer": "foon_kg.planning.batch",
+    "ConnectionSettings": "foon_kg.store.settings",
+    "Explanation": "foon_kg.planning.explanation",
+    "Joining": "foon_kg.planning.explanation",
+    "PassedOver": "foon_kg.planning.explanation",
+    "Plan": "foon_kg.foon.plan",
+    "PlanSettings": "foon_kg.planning.settings",
+    "Question": "foon_kg.planning.batch",
+    "ReadKitchen": "foon_kg.planning.kitchen_file",
+    "Snapshot": "foon_kg.store.snapshot",
+    "Step": "foon_kg.foon.plan",
+    "Substitute": "foon_kg.planning.settings",
+    "WithDrafts": "foon_kg.store.with_drafts",
+}
+"""Where what a FOON is asked with, and what it answers with, is defined."""
 
 
 def __getattr__(name: str) -> object:
-    """Return what is beside the door; raises AttributeError for anything else."""
-    if name in {"Plan", "Step"}:
-        return getattr(import_module("foon_kg.foon.plan"), name)
+    """Return what a FOON is asked or answers with; raises AttributeError for anything else."""
+    if name in _HOMES:
+        return getattr(import_module(_HOMES[name]), name)
     raise AttributeError(f"module foon_kg.foon has no attribute {name}")
 
 
@@ -238,6 +273,22 @@ class Foon(Evaluating):
         beside = [reader.read(Entry(f"“{text}”", text)) for text in texts]
         notes = (note for _, said in beside for note in said)
         return ReadKitchen(read.kitchen.with_things([thing for thing, _ in beside]), (*read.notes, *notes))
+
+    def read_recipes(self, *files: Paths) -> Iterator[ReadRecipe]:
+        """Yield the recipe in each of ``files`` (JSON) as :meth:`answer` reads it, in the words of this FOON.
+
+        The ``notes`` of each say what had to be decided to read it. Raises :class:`~foon_kg.model.errors.ReadError`
+        where one is no recipe.
+
+        >>> from foon_kg.demo import demo_recipes
+        >>> [one.recipe.dish_type for one in foon.read_recipes(*demo_recipes()[:2])]
+        ['drinks', 'salad']
+        """
+        from foon_kg.planning.recipes import read_recipe
+
+        words = self.words()  # once: they are sorted out of the whole vocabulary
+        for file in files:
+            yield read_recipe(Path(file), words)
 
     def words(self) -> IngredientWords:
         """Return the words in which ingredients and kitchens are read.

@@ -84,12 +84,10 @@ class Changing(Collected):
         from foon_kg.store.graph.loading import UNITS_PER_TRANSACTION
 
         units = 1 + sum(len(subgraph.annotations) for subgraph in subgraphs) if at_once else UNITS_PER_TRANSACTION
-        report = load(connection, subgraphs, stored=stored, units_per_transaction=units)
-        self.__dict__.pop("known", None)
-        return report
+        return load(connection, subgraphs, stored=stored, units_per_transaction=units)
 
     def holds(self, contents: Mapping[str, str]) -> bool:
-        """Say whether the graph has videos by these names with these contents (hashes), written as this program would.
+        """Return whether the graph has videos of these names and ``contents`` (hashes), written as this program would.
 
         A graph of another schema, or none at all, does not: a load tells why.
 
@@ -153,5 +151,4 @@ class Changing(Collected):
         found = losses(connection, videos)
         if not dry_run:
             remove(connection, videos)
-            self.__dict__.pop("known", None)
         return found

@@ -44,6 +44,7 @@ class Opened:
         self._snapshot = snapshot
         self._server = server
         self._lessons = lessons
+        self._known: tuple[str | None, KnownFoon] | None = None
 
     @classmethod
     def from_files(cls, *paths: Paths, drafts: Sequence[Paths] = ()) -> Self:
@@ -84,27 +85,31 @@ class Opened:
     def connect(
         cls,
         uri: str | None = None,
-        user: str = "neo4j",
-        password: str = "",
-        database: str = "neo4j",
+        user: str | None = None,
+        password: str | None = None,
+        database: str | None = None,
         *,
         say: Say = silent,
     ) -> Self:
         """Connect to the Neo4j at ``uri``; without one to that of NEO4J_URI, else to foon-kg's own, which is started.
 
-        ``user`` and ``password`` open its ``database``; those of NEO4J_URI are in the environment, too.
-        What is done to start it, line by line, goes to ``say`` (``print``, say). Raises
-        :class:`~foon_kg.model.errors.ServerError` where it cannot be started; whether a Neo4j answers shows the first
-        question (:class:`~foon_kg.model.errors.GraphError`).
+        ``user`` (``neo4j``) and ``password`` (none) open its ``database`` (``neo4j``); those of NEO4J_URI are in the
+        environment, too. What is done to start it, line by line, goes to ``say`` (``print``, say). Raises
+        :class:`~foon_kg.model.errors.ServerError` where it cannot be started, and
+        :class:`~foon_kg.model.errors.UsageError` for a user, a password or a database without a ``uri``. Whether a
+        Neo4j answers shows the first question (:class:`~foon_kg.model.errors.GraphError`).
 
         >>> Foon.connect("bolt://localhost:7687", password="secret")
         <Foon at bolt://localhost:7687>
         """
         from foon_kg.store.server import ConnectionSettings, connection_settings
 
-        return cls(
-            server=connection_settings(say) if uri is None else ConnectionSettings(uri, user, password, database)
-        )
+        if uri is not None:
+            return cls(server=ConnectionSettings(uri, user or "neo4j", password or "", database or "neo4j"))
+        if user or password or database:
+            hint = "Name its uri, or set NEO4J_URI with NEO4J_USER, NEO4J_PASSWORD and NEO4J_DATABASE."
+            raise UsageError("a user, a password or a database says nothing of which Neo4j", hint=hint)
+        return cls(server=connection_settings(say))
 
     @classmethod
     def on_this_machine(cls, *, say: Say = silent) -> Self:
@@ -273,13 +278,22 @@ class Opened:
 
         return WithDrafts.of(self.snapshot(), self._lessons)
 
-    @cached_property
+    @property
     def known(self) -> KnownFoon:
-        """What the judge compares a tree's evidence with."""
+        """What the judge compares a tree's evidence with.
+
+        >>> len(foon.known.goals)
+        23
+        """
         from foon_kg.validation import KnownFoon
 
-        whole = self.snapshot()
-        return KnownFoon.of(whole.units, whole.goals())
+        # kept, since each plan.check() asks for it and it takes the whole FOON; anybody may have loaded something since
+        edition = self.edition()
+        tells_changes = edition is not None or self._snapshot is not None
+        if self._known is None or self._known[0] != edition or not tells_changes:
+            whole = self.snapshot()
+            self._known = (edition, KnownFoon.of(whole.units, whole.goals()))
+        return self._known[1]
 
     @cached_property
     def _graph(self) -> Neo4jGraph:

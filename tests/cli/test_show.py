@@ -57,6 +57,13 @@ def test_foon_text_is_shown_as_well():
     assert "Progress of each ingredient" in answer.stdout
 
 
+def test_an_option_that_would_mean_nothing_is_refused(plans):
+    alone = show(plans, "--hands", "2")
+    assert (alone.exit_code, "--hands is for --schedule" in alone.stderr) == (2, True)
+    text = show(demo_folder() / "greek_salad.txt", "--line", "2")
+    assert (text.exit_code, "no file with many results" in text.stderr) == (2, True)
+
+
 def test_what_is_no_tree_is_refused(tmp_path):
     path = tmp_path / "nothing.txt"
     path.write_text("# only a comment\n", encoding="utf-8")

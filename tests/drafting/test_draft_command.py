@@ -51,6 +51,16 @@ def test_a_draft_is_a_table_with_confidences_and_doubts(draft_file):
     assert draft.subgraph.sources[0].endswith("epic.csv")
 
 
+def test_two_drafts_of_one_name_are_refused_although_earlier_ones_may_be_written_over(tmp_path, foon_folder):
+    words = []
+    for file in (tmp_path / "one" / "soup.txt", tmp_path / "two" / "soup.txt"):
+        file.parent.mkdir()
+        file.write_text("Chop the onion.", encoding="utf-8")
+        words.append(file)
+    words += ["-o", tmp_path / "drafts", "--files", foon_folder, "--force"]
+    assert "two of these drafts have this name" in foon("draft", "text", *words, code=2).output
+
+
 def test_a_draft_that_is_there_is_not_written_over(draft_file, foon_folder):
     words = ("draft", "videos", draft_file.parents[1] / "epic.csv", "-o", draft_file.parent, "--files", foon_folder)
     assert "is there already" in foon(*words, code=2).output

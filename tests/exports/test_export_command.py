@@ -155,6 +155,8 @@ def test_a_problem_of_the_whole_foon_has_what_the_kitchen_file_names(export, sto
         (("--files", "{story}", "-f", "pddl", "--goal", "pie", "-o", "{folder}/x"), "FOON is called “pie”"),
         (("{story}", "-f", "pddl"), "these are 3 files"),
         (("{story}", "-f", "dot", "--goal", "salad"), "--goal means nothing for task trees"),
+        (("--files", "{story}", "-f", "csv", "-o", "{folder}/x", "--goal", "pie"), "--goal means nothing for csv"),
+        (("--files", "{story}", "-f", "dot", "--kitchen", "{story}"), "--kitchen means nothing for dot"),
         (("{story}", "-f", "dot", "--recipe", "{story}"), "--recipe means nothing for dot"),
         (("{story}", "-f", "dot", "--weights", "{story}"), "--weights means nothing for dot"),
         (("--files", "{story}", "-f", "weights"), "has no weights of motions"),

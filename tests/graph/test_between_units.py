@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from kitchen_stories import ADD_SALT, CHOP_ONION, SALAD, subgraph, unit
 
-from foon_kg.cli.explore import explore_query
+from foon_kg.cli.named_queries import explore_query
 from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model import Annotation, FunctionalUnit, Participant, Subgraph

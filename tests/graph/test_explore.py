@@ -8,7 +8,7 @@ from itertools import combinations, pairwise
 
 import pytest
 
-from foon_kg.cli.explore import explore_query, values
+from foon_kg.cli.named_queries import explore_query, values
 from foon_kg.cypher import explore_queries
 from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths

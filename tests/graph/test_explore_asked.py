@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.cli.explore import command, explore_query, values
+from foon_kg.cli.named_queries import command, explore_query, values
 from foon_kg.cypher import catalogue, explore_queries
 from foon_kg.model.errors import UsageError
 

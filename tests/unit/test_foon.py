@@ -213,6 +213,23 @@ def test_a_graph_is_asked_and_loaded_through_the_same_door(empty_graph):
 
 
 @pytest.mark.neo4j
+def test_what_somebody_else_loads_is_evidence_at_once(empty_graph):
+    settings = (empty_graph.uri, empty_graph.user, empty_graph.password, empty_graph.database)
+    with Foon.connect(*settings) as door, Foon.connect(*settings) as other:
+        other.load(demo_folder() / "greek_salad.txt")
+        assert len(door.known.goals) == 1
+        assert door.known is door.known
+        other.load(demo_folder() / "garden_salad.txt")
+        assert len(door.known.goals) == 2
+
+
+@pytest.mark.parametrize("named", [{"user": "cook"}, {"password": "secret"}, {"database": "mine"}])
+def test_what_opens_a_neo4j_is_refused_without_its_address(named):
+    with pytest.raises(UsageError, match="of which Neo4j"):
+        Foon.connect(**named)
+
+
+@pytest.mark.neo4j
 def test_a_video_is_taken_out_through_the_door_and_what_it_would_bring_is_told(empty_graph):
     settings = (empty_graph.uri, empty_graph.user, empty_graph.password, empty_graph.database)
     (salad,) = (one.subgraph for one in read_paths([demo_folder() / "greek_salad.txt"]))

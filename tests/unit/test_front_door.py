@@ -22,17 +22,11 @@ VALUES = {
 """What a question is made of and an answer is told with: values, tables, files, forms of telling."""
 
 ALLOWED = {
-    "planning.batch": {"Answer", "Question", "cores", "MANY"},  # what is asked and answered
-    "planning.settings": None,
-    "planning.explanation": {"Explanation", "Joining", "PassedOver"},
-    "planning.kitchen_file": {"ReadKitchen"},
+    "planning.batch": {"cores", "MANY"},
     "planning.recipes": None,  # files and lines of recipes as questions
     "planning.processes": None,  # how processes begin and end: nothing of a FOON
     "planning.cluster": {"spread_over"},
-    "store.snapshot": {"Snapshot"},  # the whole FOON in memory, as Foon.snapshot returns it
     "store.vocabulary": {"states_made"},
-    "store.with_drafts": {"WithDrafts"},  # as Foon.with_drafts returns it
-    "store.settings": {"ConnectionSettings"},  # where a FOON is: a value
     "store.graph.overview": None,  # what is asked of the view that Foon.reading_graph opens
     "store.graph.rows": {"NamesLikeRow"},  # what such a view answers
     "store.graph.values": {"node_of"},  # a node out of that
