@@ -12,9 +12,9 @@ from mcp_types import ToolAnnotations
 from pydantic import Field
 
 from foon_kg import __version__
+from foon_kg.foon import Substitute
 from foon_kg.model.errors import FoonError, UsageError, WriteRefused
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.planning.settings import Substitute
 from foon_kg.web.asking import AT_HAND, DRAFTS, MOST_INGREDIENTS, MOST_THINGS, DishType, Words
 from foon_kg.web.questions import PlanQuestion, Question, SuggestQuestion
 from foon_kg.web.service import FoonService
@@ -93,7 +93,7 @@ def what_can_i_make(
 
 
 def explore_graph(question: Annotated[str, Field(description="What you want to know of the FOON.")]) -> str:
-    """Return a question about the FOON with Cypher that only looks."""
+    """Find something out about the FOON, by questions in Cypher that only look."""
     return (
         f"Answer from the graph: {question} Ask with the tool “cypher”; its description has the model of the graph. "
         "Begin with a count, take parameters for names, show the query that gave the answer, and say so where the "

@@ -18,9 +18,9 @@ from starlette.routing import BaseRoute, Route
 from starlette.staticfiles import StaticFiles
 
 from foon_kg import __version__
+from foon_kg.foon import Substitute
 from foon_kg.formats.pictures.svg import dark_colours
 from foon_kg.model.errors import FoonError
-from foon_kg.planning.settings import Substitute
 from foon_kg.web import asking, telling, telling_plans
 from foon_kg.web.api_page import api_page
 from foon_kg.web.asked_before import AskedBefore, edition_told, told
@@ -77,7 +77,7 @@ _INGREDIENTS = Query(
     examples=[["diced tomato", "sliced cucumber", "olive oil"]],
 )
 _AVOIDED = Query(max_length=20, description="Foods or kinds of food (nuts).")
-_AT_HAND = Query(max_length=asking.MOST_INGREDIENTS, description=asking.AT_HAND)
+_AT_HAND = Query(max_length=asking.MOST_THINGS, description=asking.AT_HAND)
 _UNCHANGED: dict[int | str, dict[str, Any]] = {304: {"description": "The answer is the one of the ETag that was sent."}}
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
@@ -130,11 +130,11 @@ def web_app(
     app.add_api_route("/picture.css", _picture_colours, include_in_schema=False)
     app.add_api_route("/stage.js", _stage, include_in_schema=False)
     app.add_api_route("/explore", _explore_page, include_in_schema=False)
-    metrics.paths = _paths(router.routes, watching.routes, app.routes, explore_router.routes)
     app.mount("/explore", StaticFiles(directory=_folder("foon_kg.web.explore")))
     app.add_api_route("/teach", _teach_page, include_in_schema=False)
     app.mount("/teach", StaticFiles(directory=_folder("foon_kg.web.teach")))
     app.mount("/", StaticFiles(directory=_folder("foon_kg.web"), html=True))
+    metrics.paths = _paths(app.routes, ("", router), ("", watching), ("/api", explore_router), ("/api", teach_router))
     app.add_exception_handler(FoonError, _told)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _refused)
@@ -321,10 +321,13 @@ def _folder(package: str) -> Path:
     return Path(str(resources.files(package).joinpath("page")))
 
 
-def _paths(*routes: Sequence[BaseRoute]) -> frozenset[str]:
-    """Return the paths under which something is answered, those of the explorer below ``/api`` as well."""
-    found = {route.path for some in routes for route in some if isinstance(route, Route)}
-    return frozenset({"/", *found, *(f"/api{path}" for path in found if path.startswith("/explore/"))})
+def _paths(own: Sequence[BaseRoute], *included: tuple[str, APIRouter]) -> frozenset[str]:
+    """Return the paths under which something is answered: by the application's ``own`` routes and what it ``included``.
+
+    That is routers, each below a prefix, which FastAPI does not list among the routes of the application.
+    """
+    below = {f"{prefix}{one.path}" for prefix, some in included for one in some.routes if isinstance(one, Route)}
+    return frozenset({"/", *below, *(one.path for one in own if isinstance(one, Route))})
 
 
 def _closing(service: FoonService) -> Callable[[FastAPI], Any]:

@@ -32,7 +32,7 @@ class AskedBefore:
         self.service = service
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Return the request, or pass it on."""
+        """Send the answer that is kept, or pass the request on."""
         if scope["type"] != "http" or scope["path"] not in PATHS:
             return await self.app(scope, receive, send)
         body = b"" if scope["method"] in {"GET", "HEAD"} else (await receive()).get("body", b"")

@@ -7,11 +7,10 @@ from collections.abc import Callable, Iterator
 from itertools import islice
 
 from foon_kg.evaluation.left_out_video import left_out_video
+from foon_kg.foon import Answer, Question, Snapshot
 from foon_kg.model import Goal, Recipe
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.planning.batch import Answer, Question
 from foon_kg.plans.result import PlanResult
-from foon_kg.store.snapshot import Snapshot
 
 _TRIED = 3
 """For one dish that is shown at most so many are planned."""

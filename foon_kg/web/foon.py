@@ -9,14 +9,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from foon_kg.foon import Foon
+from foon_kg.foon import ConnectionSettings, Foon, Snapshot
 from foon_kg.foon.answering import WHOLE
 from foon_kg.model import content_key
 from foon_kg.model.drafted import Lesson
 from foon_kg.model.errors import GraphError
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.settings import ConnectionSettings
-from foon_kg.store.snapshot import Snapshot
 
 EVERY = 2.0
 """Seconds between two looks whether the graph is still the same."""
@@ -83,6 +81,7 @@ class LiveFoon:
         self._whole = whole
         self._every = every
         self._turn = threading.Lock()
+        self._opening = threading.Lock()
         self._foon: Foon | None = None
         self._name: str | None = None
         self._looked = 0.0
@@ -120,9 +119,10 @@ class LiveFoon:
 
     def close(self) -> None:
         """Give the sockets back."""
-        if self._foon is not None:
-            self._foon.close()
-            self._foon = None
+        with self._opening:
+            if self._foon is not None:
+                self._foon.close()
+                self._foon = None
 
     def _look(self) -> str:
         try:
@@ -143,6 +143,7 @@ class LiveFoon:
             return EMPTY
 
     def _connected(self) -> Foon:
-        if self._foon is None:
-            self._foon = self._opened()
-        return self._foon
+        with self._opening:  # one thread reads the FOON while another looks whether it is still the same
+            if self._foon is None:
+                self._foon = self._opened()
+            return self._foon

@@ -128,7 +128,8 @@ class BodyLimit:
         if scope["type"] != "http" or scope["method"] in {"GET", "HEAD"}:
             return await self.app(scope, receive, send)
         headers = Headers(scope=scope)
-        if scope["method"] == "POST" and headers.get("content-type", "").partition(";")[0] != "application/json":
+        media_type = headers.get("content-type", "").partition(";")[0].strip().lower()
+        if scope["method"] == "POST" and media_type != "application/json":
             return await refuse(scope, send, 415, _NO_JSON)
         try:
             most = self.limits.table if scope["path"].startswith(TABLES) else self.limits.body

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict
 
+from foon_kg.foon import Answer, Explanation
 from foon_kg.formats.exports.formats import export_tree
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
@@ -14,8 +15,6 @@ from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.model import KnownUnit
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.node_json import node_to_json, sighting_to_json
-from foon_kg.planning.batch import Answer
-from foon_kg.planning.explanation import Explanation
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult

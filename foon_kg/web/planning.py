@@ -6,12 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 
+from foon_kg.foon import Answer, PlanSettings, ReadKitchen
+from foon_kg.foon import Question as PlannerQuestion
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.planning.batch import Answer
-from foon_kg.planning.batch import Question as PlannerQuestion
-from foon_kg.planning.kitchen_file import ReadKitchen
-from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.web.examples import example_dishes, recorded_dishes
@@ -52,7 +50,7 @@ class PlanningDesk:
             yield dish
 
     def answer(self, question: Question) -> Reply:
-        """Return ``question``; what is wrong with it is an answer too."""
+        """Return the reply to ``question``; what is wrong with it is one too."""
         try:
             if isinstance(question, PlanQuestion):
                 return self._plan(question)

@@ -43,7 +43,7 @@ class PlanningProcess:
         self._begin()
 
     def answer(self, question: Question) -> Reply:
-        """Return ``question``.
+        """Return the reply to ``question``.
 
         Raises TooLongError where that takes more than ``seconds``, BusyError where the process was ended from outside
         (perhaps for want of memory), InternalError where planning failed; then another process is there already.
@@ -123,7 +123,7 @@ _first_own_tables = cache(_own_tables)
 
 
 def _plan(line: Connection[Any, Any], served: Served) -> None:
-    """Return what comes through ``line`` for as long as somebody has its other end."""
+    """Answer the questions that come through ``line`` for as long as somebody has its other end."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that serves hears it, and ends this one
     threading.Thread(target=end_with_parent, daemon=True).start()
     collect_seldom()

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
+from foon_kg.foon import Substitute
 from foon_kg.model.errors import FoonError, GraphError, NoTreeError, ServerError, UsageError, WriteRefused
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.planning.settings import Substitute
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Protocol
 
+from foon_kg.foon import ConnectionSettings
 from foon_kg.model.errors import UsageError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.store.settings import ConnectionSettings
 from foon_kg.web.explore.explorer import Explorer
 from foon_kg.web.foon import Served
 from foon_kg.web.graph_words import GraphWords
@@ -175,7 +175,7 @@ class FoonService:
         return self.asked(question)[1]
 
     def answer(self, question: Question) -> Reply:
-        """Return a question that takes a while; raises TooLongError, BusyError or GraphError where there is none."""
+        """Return the answer to a ``question`` that takes a while; raises TooLongError, BusyError or GraphError."""
         try:
             return self.ask(question).result(self._seconds)
         except TimeoutError as error:

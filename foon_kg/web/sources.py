@@ -7,15 +7,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
-from foon_kg.foon import Foon
+from foon_kg.foon import Answer, Foon, Snapshot, WithDrafts
 from foon_kg.model import KnownUnit
 from foon_kg.model.errors import UsageError
-from foon_kg.planning.batch import Answer
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 from foon_kg.store.graph.overview import some_videos
-from foon_kg.store.snapshot import Snapshot
-from foon_kg.store.with_drafts import WithDrafts
 from foon_kg.validation import KnownFoon
 from foon_kg.web.evidence import Place, by_place
 

@@ -6,9 +6,9 @@ from typing import Literal
 
 from pydantic import BaseModel
 
+from foon_kg.foon import Joining, PassedOver
 from foon_kg.formats.exports.files import ExportFile
 from foon_kg.model.knowledge import Neighbour
-from foon_kg.planning.explanation import Joining, PassedOver
 from foon_kg.plans.durations import Duration
 from foon_kg.web.telling import MeasuresTold, Node, RecipeTold, SeenIn, Wanted
 

@@ -17,7 +17,7 @@ router = APIRouter(include_in_schema=False)
 
 @router.get(HEALTH)
 async def health(request: Request) -> Response:
-    """Return that the service can plan; where it has no FOON that is the error of every other question."""
+    """Return ``ok`` where the service can plan; raises what every other question raises where it has no FOON."""
     await asyncio.to_thread(request.app.state.service.current)
     return JSONResponse({"status": "ok"})
 

@@ -22,7 +22,7 @@ class Desk(Protocol):
     """What answers questions, one after the other."""
 
     def answer(self, question: Question) -> Reply:
-        """Return ``question``."""
+        """Return the reply to ``question``."""
         ...
 
     def close(self) -> None:

@@ -229,6 +229,11 @@ def test_a_body_that_is_no_question_is_refused(client, body):
     assert error_of(answer)["code"] == "request"
 
 
+def test_a_media_type_is_written_in_any_letters_and_may_have_parameters(client):
+    told = {"content-type": "Application/JSON ; charset=utf-8"}
+    assert client.post("/api/plan", content=json.dumps(SALAD), headers=told).status_code == 200
+
+
 def test_a_body_of_another_type_is_refused(client):
     answer = client.post("/api/plan", content=b"a=b", headers={"content-type": "text/plain"})
     assert answer.status_code == 415

@@ -225,6 +225,13 @@ def test_what_leads_nowhere_says_why(client, start, end, said):
     assert said in f"{error['message']} {error['hint']}"
 
 
+def test_a_vessel_with_nothing_in_it_is_no_beginning_and_no_end(client):
+    (knife,) = (thing["id"] for thing in around(client, "utensil:knife")["things"][1:])
+    for ends in ((knife, "soup"), ("whole onion", knife)):
+        answer = way(client, *ends)
+        assert (answer.status_code, "holds no food" in answer.json()["error"]["message"]) == (404, True)
+
+
 def test_an_unknown_thing_is_404(client):
     answer = client.post("/api/explore/around", json={"id": "food:moon dust"})
     assert (answer.status_code, answer.json()["error"]["code"]) == (404, "unknown")

@@ -92,6 +92,8 @@ def test_every_request_is_counted_by_what_became_of_it(client):
     client.post("/api/plan", json=SALAD)
     client.post("/api/plan", json={})
     client.get("/api/complete")
+    client.post("/api/teach/subgraph", json={})
+    client.get("/teach")
     client.get("/nothing/of/this?name=x")
     client.request("BREW", "/api/summary")
     answer = client.get("/metrics")
@@ -105,6 +107,8 @@ def test_every_request_is_counted_by_what_became_of_it(client):
     assert requests("/api/plan", "POST", 200) == 2, "what was asked before as well"
     assert requests("/api/plan", "POST", 422) == 1
     assert requests("/api/complete", "GET", 422) == 1
+    assert requests("/api/teach/subgraph", "POST", 422) == 1
+    assert requests("/teach", "GET", 200) == 1
     assert requests("other", "GET", 404) == 1
     assert requests("/api/summary", "other", 415) + requests("/api/summary", "other", 405) == 1
     assert sample(samples, "foon_request_seconds_count", path="/api/plan") == 3

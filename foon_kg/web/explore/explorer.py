@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from foon_kg.store.snapshot import Snapshot
+from foon_kg.foon import Snapshot
 from foon_kg.web.explore.about import Telling
 from foon_kg.web.explore.neighbourhood import Neighbours
 from foon_kg.web.explore.network import Network

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, TypeVar, cast
 
+from foon_kg.foon import Snapshot
 from foon_kg.formats.exports.phrases import motion_said
 from foon_kg.model import Annotation, Goal, KnownUnit, ObjectNode
-from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.questions import UnknownError
 
 ThingKind = Literal["food", "utensil", "object", "step", "motion", "video", "dish", "other"]

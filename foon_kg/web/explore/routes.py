@@ -114,7 +114,7 @@ def questions(request: Request) -> QuestionsTold:
 
 @router.post("/cypher")
 def cypher(request: Request, asked: CypherAsked) -> AnswerTold:
-    """Return a question in Cypher, as a table and with what of it can be drawn; refused is all but a look."""
+    """Return the answer to a question in Cypher: a table, and what of it can be drawn. Refused is all but a look."""
     desk: CypherDesk | None = request.app.state.cypher
     if desk is None:
         raise NoCypherError

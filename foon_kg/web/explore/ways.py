@@ -118,7 +118,12 @@ class Ways:
         if self.network.has(text):
             thing = self.network.thing(text)
             if thing.kind == "object":
-                return [self.network.object_of(thing)]
+                node = self.network.object_of(thing)
+                if not self._names(node):
+                    raise UnknownError(
+                        f"“{node}” holds no food", hint="Only foods are followed: name one at both ends."
+                    )
+                return [node]
             text = thing.name
         food, states, rest = self._words.parts(text)
         called = self._called.get(canonical(food), [])

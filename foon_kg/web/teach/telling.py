@@ -46,7 +46,7 @@ class RowTold(BaseModel):
 
     @classmethod
     def of(cls, row: Decision) -> Self:
-        """Tell a row."""
+        """Return a ``row`` as it is told."""
         return cls(
             place=row.place,
             said=row.said,
@@ -71,7 +71,7 @@ class ReviewTold(BaseModel):
 
     @classmethod
     def of(cls, review: Review) -> Self:
-        """Tell a review."""
+        """Return a ``review`` as it is told."""
         rows = list(map(RowTold.of, review.all_rows))
         return cls(name=review.name, table=review.text(), units=review.units, open=len(review.decisions), rows=rows)
 
