@@ -59,7 +59,7 @@ COMMANDS = (
     Command(("stats",), 36, 260, HEAVY | {"numpy"}),
     Command(("load", "foon", str(DEMO)), 61, 260, HEAVY | {"numpy"}, again=True),
     Command(("similar", "caper"), 62, 355, HEAVY),
-    Command(("plan", "--dish", "salad", "chopped onion"), 257, 355, HEAVY),
+    Command(("plan", "--dish", "salad", "chopped onion"), 258, 355, HEAVY),
     Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 259, 241, HEAVY | {"neo4j", "psutil"}),
 )
 

@@ -280,7 +280,7 @@ class Foon(Evaluating):
         The ``notes`` of each say what had to be decided to read it. Raises :class:`~foon_kg.model.errors.ReadError`
         where one is no recipe.
 
-        >>> from foon_kg.demo import demo_recipes
+        >>> from foon_kg.foon.demo import demo_recipes
         >>> [one.recipe.dish_type for one in foon.read_recipes(*demo_recipes()[:2])]
         ['drinks', 'salad']
         """

@@ -10,7 +10,7 @@ from chromium import PAPERS, as_usual, as_wide_as_the_screen, fingers, on_screen
 from pictures.demo_plans import demo_plan
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
-from foon_kg.demo import demo_folder
+from foon_kg.foon.demo import demo_folder
 from foon_kg.formats.pictures.page import page_of, steps_list
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.loaders import read_paths
