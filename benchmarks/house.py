@@ -163,11 +163,10 @@ class House:
 
     @cached_property
     def long_files(self) -> list[str]:
-        """Return the files with more lines than ``MOST_LINES``, the longest first."""
-        counts = {module: len(module.text.splitlines()) for module in self.modules.values()}
-        long = sorted(
-            (-count, str(one.path.relative_to(self.top))) for one, count in counts.items() if count > MOST_LINES
-        )
+        """Return the files with more lines than ``MOST_LINES``, those of tests too, the longest first."""
+        paths = [*(module.path for module in self.modules.values()), *(self.top / "tests").rglob("*.py")]
+        counts = {path: len(path.read_text(encoding="utf-8").splitlines()) for path in paths}
+        long = sorted((-count, str(path.relative_to(self.top))) for path, count in counts.items() if count > MOST_LINES)
         return [f"{path} {-count}" for count, path in long]
 
     @cached_property

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import pytest
 from integration import videos
-from integration.school import SNAPSHOT, planned
+from integration.lines import joins_at, stage, told
+from integration.school import planned
 from integration.told import KITCHEN, snapshot_of
 
 from foon_kg.food import tables
@@ -16,46 +17,12 @@ from foon_kg.integration.composing.folded import folded, is_folded
 from foon_kg.integration.composing.parts import baked_at_last
 from foon_kg.integration.composing.pots import is_never_heated, unheated, unmixed
 from foon_kg.integration.composing.poured_over import dressed_apart
-from foon_kg.integration.composing.techniques import as_a_way_says
 from foon_kg.integration.composing.warmed import garnished, stirred
-from foon_kg.integration.joining.course import Course, Plan
-from foon_kg.integration.joining.spots import Join, Spot
 from foon_kg.integration.making.serving import Serving
-from foon_kg.integration.preparing.understanding import wants_of
-from foon_kg.integration.teaching.frames import Line, Stage
+from foon_kg.integration.teaching.frames import Line
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
 from foon_kg.planning.settings import PlanSettings
-
-
-def stage(motion, does, *, vessel="bowl", appliance="", adds=()):
-    source = "heat" if appliance else ""
-    return Stage(tuple(adds), motion, frozenset(does), (), vessel, "in", appliance, source, "", (), 0)
-
-
-def joins_at(line, number, *foods):
-    """Return these foods as they join one stage of a line."""
-    asked = [RequiredIngredient(*food.split("/")) if "/" in food else RequiredIngredient(food, "") for food in foods]
-    spot = Spot((number,), line.stages[number], ("mix", "never", False), False, line.stages[number + 1 :])
-    return tuple(Join(want, spot, 0.5) for want in wants_of(asked, tables(), SNAPSHOT.methods().operators))
-
-
-def told(line, joins):
-    """Return what joins each stage of a line and of those beside it, in the order of execution."""
-    course = Course(line, Plan("dish", "dish", joins))
-
-    def walk(part):
-        for one in part.stages:
-            for add in one.adds:
-                if isinstance(add, Line):
-                    yield from walk(add)
-            yield one.motion, {join.want.label for join in course.at.get(id(one), ())}
-
-    return list(walk(line))
-
-
-def by_way(line, joins, title, dishes=(), **asked):
-    return as_a_way_says(line, joins, dishes, title.split(), tables(), **asked)
 
 
 def test_a_dressing_is_mixed_by_itself_and_comes_over_the_rest():
@@ -143,15 +110,6 @@ def test_flesh_in_one_piece_is_coated_though_its_video_shapes_patties():
     assert ("cook", set()) in told(line, joins)
 
 
-def test_what_is_mashed_is_only_mixed():
-    line = Line((stage("cook", {"heat"}), stage("flip", {"turn"})))
-    joins = joins_at(line, 0, "potato", "butter", "milk", "garlic")
-    line, joins = by_way(line, joins, "mashed potato", tables().dishes_named("mashed potato"))
-    assert told(line, joins) == [("mix", {"potato", "butter", "milk", "garlic"})]
-    wants = {join.want.label: join.want for join in joins}
-    assert (wants["potato"].then, wants["garlic"].cooked, wants["milk"].cooked) == ("mashed", True, False)
-
-
 def test_foods_are_laid_on_dough_in_their_layers():
     line = Line((stage("bake", {"heat", "dry"}),))
     joins = joins_at(line, 0, "mozzarella", "tomato sauce", "pizza dough")
@@ -179,43 +137,6 @@ def test_bread_lies_below_and_above():
     assert "bread" in foods[0]
     assert "bread" in foods[-1]
     assert "butter" in foods[1]
-
-
-def test_a_hot_drink_is_heated_in_a_pot_and_has_its_foam_on_top():
-    line = Line((stage("blend", {"blend", "mix"}),))
-    joins = joins_at(line, 0, "milk", "cocoa powder", "whipped cream")
-    assert told(*by_way(line, joins, "hot chocolate", when="warmed")) == [
-        ("cook and stir", {"milk", "cocoa powder"}),
-        ("", set()),
-        ("", {"whipped cream"}),
-    ]
-
-
-def test_chocolate_melts_in_a_hot_drink_and_candy_lies_on_it():
-    line = Line((stage("blend", {"blend", "mix"}),))
-    joins = joins_at(line, 0, "milk", "dark chocolate", "marshmallow")
-    assert told(*by_way(line, joins, "hot chocolate", when="warmed")) == [
-        ("cook and stir", {"milk", "dark chocolate"}),
-        ("", set()),
-        ("", {"marshmallow"}),
-    ]
-
-
-@pytest.mark.parametrize("title", ["hot tea", "iced tea"])
-def test_of_a_drink_with_ice_only_what_steeps_is_heated(title):
-    line = Line((stage("stir", {"mix"}),))
-    joins = joins_at(line, 0, "tea bag", "water", "sugar", "ice")
-    assert told(*by_way(line, joins, title, when="warmed")) == [
-        ("cook and stir", {"tea bag", "water"}),
-        ("stir", {"sugar", "ice"}),
-    ]
-
-
-@pytest.mark.parametrize("title", ["iced coffee", "strawberry smoothie", "hot lemonade punch"])
-def test_what_is_called_cold_is_not_heated(title):
-    line = Line((stage("stir", {"mix"}),))
-    joins = joins_at(line, 0, "milk", "sugar")
-    assert by_way(line, joins, title, when="warmed") == (line, joins)
 
 
 def laid(*foods, title="burger"):
@@ -261,48 +182,6 @@ def test_a_soup_that_is_called_cold_is_not_heated():
     assert not is_never_heated(dishes, joins_at(line, 0, "chicken"), tables())
 
 
-def test_what_is_soft_is_smeared_on_slices_before_they_are_baked():
-    line = Line((stage("bake", {"dry", "heat"}, vessel="baking tray", appliance="oven"),))
-    joins = joins_at(line, 0, "baguette", "butter", "garlic", "parmesan")
-    assert told(*by_way(line, joins, "garlic bread")) == [
-        ("", {"baguette"}),
-        ("mix", {"butter", "garlic"}),
-        ("spread", set()),
-        ("bake", {"parmesan"}),
-    ]
-    soaked = joins_at(line, 0, "bread", "butter", "egg", "milk")
-    assert by_way(line, soaked, "garlic bread") == (line, soaked)
-
-
-def portioned(*foods, title="", baked=False):
-    line = Line((stage("cook and stir", {"heat", "mix"}, vessel="cooking pan", appliance="stove"),))
-    return told(*by_way(line, joins_at(line, 0, *foods), title, when="flesh", baked=baked))
-
-
-def test_flesh_in_portions_is_fried_on_both_sides_before_its_sauce_comes():
-    assert portioned("salmon fillet", "olive oil", "salt", "garlic", "white wine", "parsley") == [
-        ("cook", {"salmon fillet", "olive oil", "salt"}),
-        ("flip", set()),
-        ("simmer", {"garlic", "white wine"}),
-        ("", {"parsley"}),
-    ]
-
-
-def test_what_is_called_baked_lies_in_a_dish_under_what_is_mixed_for_it():
-    assert portioned("salmon fillet", "olive oil", "mustard", "parsley", baked=True) == [
-        ("", {"salmon fillet"}),
-        ("mix", {"olive oil", "mustard"}),
-        ("", set()),
-        ("bake", set()),
-        ("", {"parsley"}),
-    ]
-
-
-@pytest.mark.parametrize(("food", "title"), [("salmon fillet/cubed", ""), ("salmon fillet", "fish curry")])
-def test_flesh_in_pieces_is_cooked_as_its_video_does(food, title):
-    assert portioned(food, "olive oil", title=title) == [("cook and stir", {"olive oil", food.partition("/")[0]})]
-
-
 def test_an_omelette_sets_over_what_fills_it_and_is_folded():
     line = Line((stage("cook", {"heat"}, vessel="frying pan", appliance="stove"),))
     joins = joins_at(line, 0, "egg", "milk", "butter", "mushroom", "cheese", "parsley")
@@ -331,106 +210,6 @@ def test_slices_and_leaves_come_last_into_a_glass_unless_they_are_muddled():
         ("", {"lime", "mint"}),
     ]
     assert garnished(line, joins, frozenset({"mojito"})) == (line, joins)
-
-
-def test_what_is_called_roasted_is_tossed_and_baked():
-    line = Line((stage("cook", {"heat"}, vessel="cooking pan", appliance="stove"),))
-    joins = joins_at(line, 0, "broccoli", "olive oil", "parmesan", "parsley")
-    assert told(*by_way(line, joins, "roasted broccoli")) == [
-        ("mix", {"broccoli", "olive oil"}),
-        ("bake", {"parmesan"}),
-        ("", {"parsley"}),
-    ]
-    assert by_way(line, joins, "broccoli") == (line, joins)
-
-
-def test_a_crust_lines_the_dish_and_what_is_raw_in_its_filling_is_fried_before():
-    line = Line((stage("mix", {"mix"}),))
-    joins = joins_at(line, 0, "pie crust", "bacon", "egg", "cream")
-    line, joins = by_way(line, joins, "quiche")
-    assert told(line, joins) == [
-        ("", {"pie crust"}), ("mix", {"bacon", "egg", "cream"}), ("", set()), ("bake", set()),
-    ]  # fmt: skip
-    assert [join.want.label for join in joins if join.slot is not None and join.slot.cooked] == ["bacon"]
-
-
-def test_a_crust_covers_what_was_cooked_in_a_liquid():
-    line = Line((stage("mix", {"mix"}),))
-    joins = joins_at(line, 0, "puff pastry", "chicken breast", "butter", "flour", "milk")
-    line, joins = by_way(line, joins, "pot pie")
-    assert [one.motion for one in line.stages] == ["", "", "bake"]
-    assert told(line, joins)[0] == ("cook and stir", {"chicken breast", "butter", "flour", "milk"})
-
-
-def test_what_is_not_called_so_has_no_crust():
-    line = Line((stage("mix", {"mix"}),))
-    joins = joins_at(line, 0, "puff pastry", "apple")
-    assert by_way(line, joins, "strudel") == (line, joins)
-
-
-@pytest.mark.parametrize("thin", ["beer", "sparkling water", "milk"])
-def test_what_is_called_battered_is_turned_in_its_batter_and_what_goes_with_it_is_fried_by_itself(thin):
-    line = Line((stage("cook", {"heat"}, vessel="cooking pan", appliance="stove"),))
-    joins = joins_at(line, 0, "cod fillet", "flour", thin, "potato", "oil", "salt")
-    line, joins = by_way(line, joins, "fish chip", when="dipped")
-    assert told(line, joins) == [
-        ("mix", {"flour", thin, "salt"}),
-        ("dip", {"cod fillet"}),
-        ("cook", {"oil"}),
-        ("flip", set()),
-        ("cook", set()),
-        ("", {"potato"}),
-    ]
-    assert next(join.slot.cooked for join in joins if join.want.label == "potato") == ("cook",)
-
-
-def test_bread_is_dipped_into_eggs_and_milk_and_syrup_comes_on_it():
-    line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
-    joins = joins_at(line, 0, "bread", "egg", "milk", "cinnamon", "butter", "maple syrup")
-    found = told(*by_way(line, joins, "french toast", when="dipped"))
-    assert found[0] == ("mix", {"egg", "milk", "cinnamon"})
-    assert found[1] == ("dip", {"bread"})
-    assert found[-1] == ("", {"maple syrup"})
-
-
-def test_mash_covers_what_was_cooked_before():
-    line = Line((stage("bake", {"heat", "dry"}, vessel="baking dish", appliance="oven"),))
-    joins = joins_at(line, 0, "ground lamb", "potato/mashed", "carrot/diced", "beef broth")
-    assert told(*by_way(line, joins, "shepherd pie")) == [
-        ("cook and stir", {"ground lamb", "carrot", "beef broth"}),
-        ("", set()),
-        ("", {"potato"}),
-        ("bake", set()),
-    ]
-
-
-@pytest.mark.parametrize(("crust", "pieces"), [("pie crust", 1), ("pie crusts", 2)])
-def test_dough_that_is_asked_in_the_plural_lines_a_pie_and_covers_it(crust, pieces):
-    line = Line((stage("bake", {"heat", "dry"}, vessel="baking dish", appliance="oven"),))
-    _, joins = by_way(line, joins_at(line, 0, "apple/sliced", "sugar", crust), "apple pie")
-    assert sum(join.want.label == crust for join in joins) == pieces
-    assert len({join.want.number for join in joins}) == len(joins)
-
-
-def test_what_is_called_baked_is_baked_whole_cut_open_and_topped():
-    line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
-    joins = joins_at(line, 0, "potato", "butter", "sour cream", "chive/chopped")
-    made, found = by_way(line, joins, "baked potato")
-    assert told(made, found) == [
-        ("bake", {"potato"}), ("cut", set()), ("", {"butter", "sour cream", "chive"}),
-    ]  # fmt: skip
-    assert "cut" not in next(join.want.facts.owes for join in found if join.want.label == "potato")
-    assert by_way(line, joins, "mashed potato") == (line, joins)
-    assert by_way(line, joins_at(line, 0, "potato/sliced", "butter"), "baked potato")[0] is line
-    assert by_way(line, joins_at(line, 0, "potato", "milk"), "baked potato")[0] is line
-
-
-def test_what_is_called_twice_baked_is_mashed_in_between():
-    line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
-    joins = joins_at(line, 0, "potato", "milk", "butter", "cheddar/shredded")
-    assert told(*by_way(line, joins, "twice baked potato")) == [
-        ("bake", {"potato"}), ("peel", set()), ("mash", {"milk", "butter"}), ("bake", {"cheddar"}),
-    ]  # fmt: skip
 
 
 def test_crumbs_come_on_what_is_baked_unless_they_bind_it():

@@ -20,6 +20,7 @@ def checkout(folder: Path, files: dict[str, str]) -> Path:
     (folder / "README.md").write_text("# A house\n", encoding="utf-8")
     package = folder / "foon_kg"
     package.mkdir()
+    (folder / "tests").mkdir()
     plain = "\n\n".join(f"def plain{number}():\n    return {number}\n" for number in range(FUNCTIONS))
     for name, text in {"__init__.py": "", "plain.py": plain, **files}.items():
         (package / name).write_text(text, encoding="utf-8")
@@ -45,8 +46,9 @@ def test_a_plain_house_passes(tmp_path):
             {"tangled.py": "\n\n".join(TANGLE.replace("{number}", str(number)) for number in range(FUNCTIONS))},
             f"functions more complex than 20: {FUNCTIONS}, and at most ",
         ),
+        ({"../tests/test_long.py": "number = 0\n" * 401}, "files over 400 lines: 1, and at most 0"),
     ],
-    ids=["circle", "tangle"],
+    ids=["circle", "tangle", "long test"],
 )
 def test_what_got_worse_is_told_with_its_limit(tmp_path, files, told):
     done = held(checkout(tmp_path, files))

@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
+import pytest
+
 from foon_kg.validation.notation import read_tree
 from foon_kg.world import World
+
+
+def story(name, text, told, asked=()):
+    """Return a case of a parametrised test: steps, what is told of the kitchen after them, what the recipe asked."""
+    return pytest.param(text, told, asked, id=name)
 
 
 def play(text, asked=()):
@@ -97,3 +104,32 @@ def happened(world):
 
 def _at(vessel):
     return vessel.label if vessel else "nowhere"
+
+
+def told_foods(world):
+    """Return the foods, then what could not happen."""
+    return foods(world) + faults(world)
+
+
+def told_outputs(world):
+    """Return the foods, what the last step did, then what could not happen."""
+    told = [line for line in happened(world) if line.partition(":")[0] in {"made", "moved", "taken", "treated"}]
+    return foods(world) + told + faults(world)
+
+
+def told_power(world):
+    """Return the vessels that are warm, on or closed, what was heated last, then what could not happen."""
+    warm = [line for line in vessels(world) if "[" in line or " on for " in line]
+    heated = [line for line in happened(world) if line.partition(":")[0] in {"heated", "hot"}]
+    told = [line.replace(" a appliance", " an appliance") for line in faults(world) if line.startswith("W3")]
+    return warm + heated + told
+
+
+def told_treatment(world):
+    """Return the history of each part, then what could not happen."""
+    return histories(world) + [told for told in faults(world) if told[0] == "K"]
+
+
+def told_vessels(world):
+    """Return the vessels, then what could not happen."""
+    return vessels(world) + faults(world)
