@@ -16,7 +16,7 @@ UNKNOWN = Kind("unknown", "Nothing is known of it.")
 _NOT_FOUND = (UNKNOWN.name, "", Match.UNKNOWN)
 _PACKED = "canned"
 
-_WITH_BONES = re.compile(r"\b(?:bone|skin)[- ](?:in|on)\b,? ?", re.IGNORECASE)
+_WITH_BONES = re.compile(r"\b(?:bone|skin)[- ](?:in|on)\b,? ?| (?:on|off) the bone\b", re.IGNORECASE)
 
 MOST_LOOKED_UP = 1 << 15
 """So many names, states and motions are remembered with what the tables say of them."""

@@ -239,3 +239,21 @@ def test_wine_with_fruit_in_pieces_is_stirred_and_not_blended(steps):
                  "soda:juice", "ice:solid")  # fmt: skip
     assert "blend" not in motions(told)
     assert {"soda", "ice"}.isdisjoint(inside(told, "stir"))
+
+
+def test_sauces_of_fruit_and_of_roasted_peppers_are_cooked(steps):
+    told = steps("sauce", "Cranberry orange sauce", "cranberries:fresh", "sugar:granulated", "orange juice:juice",
+                 "cinnamon stick:whole")  # fmt: skip
+    assert "cranberries" in inside(told, "cook and stir")
+    told = steps("sauce", "Tkemali", "sour plums:whole", "garlic:clove", "coriander:leaf", "salt:granulated")
+    assert first(told, "sour plums", "simmer") < motions(told).index("blend")
+    told = steps("sauce", "Ajvar", "long red peppers:whole", "aubergine:whole", "garlic:crushed", "oil:liquid")
+    assert inside(told, "bake") >= {"long red peppers", "aubergine"}
+    assert motions(told).index("bake") < motions(told).index("blend")
+
+
+def test_what_is_woody_in_a_satay_sauce_is_blended_with_its_nuts(steps):
+    told = steps("sauce", "Satay Sauce", "peanuts:roasted", "lemongrass:chopped", "shallots:chopped", "garlic:clove",
+                 "oil:liquid", "coconut milk:liquid", "palm sugar:granulated")  # fmt: skip
+    assert {"lemongrass", "peanuts", "shallots"} <= inside(told, "blend")
+    assert first(told, "coconut milk", "cook and stir") > motions(told).index("blend")

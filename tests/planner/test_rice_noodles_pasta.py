@@ -200,3 +200,39 @@ def test_nuts_that_are_creamy_are_their_butter_and_join_the_sauce(steps):
     told = steps("noodle", "", "noodle:dried", "peanut:creamy", "soy sauce:sauce", "vinegar:juice", "honey:thick sauce",
                  "cucumber:sliced", "scallion:sliced")  # fmt: skip
     assert {"peanut", "soy sauce"} <= inside(told, "stir")
+
+
+def _where_from(told: Told, food: str) -> set[str]:
+    """Return what a food is in or on, in the first step that has it."""
+    return next(inputs for inputs, _, _ in told if food in inputs) - {food}
+
+
+@pytest.mark.parametrize("food", ["Greek yoghurt", "tkemali", "dendê", "browning", "pul biber", "amba"])
+def test_what_is_loose_comes_in_something(steps, food):
+    told = steps("soup", "Tomato soup", "tomatoes:canned", "onion:chopped", "stock:liquid", f"{food}:")
+    assert _where_from(told, food) & {"bottle", "container", "jar", "shaker", "packet"}
+
+
+@pytest.mark.parametrize("title", ["Pastitsio", "Macarona Béchamel"])
+def test_a_white_sauce_lies_over_the_fried_meat(steps, title):
+    told = steps("pasta", title, "penne:uncooked", "olive oil:liquid", "onion:chopped", "minced beef:raw",
+                 "tomatoes:canned", "butter:unmelted:sauce", "flour:powder:sauce", "milk:liquid:sauce",
+                 "egg:beaten:sauce", "parmesan:grated:sauce")  # fmt: skip
+    assert _into(told, "minced beef", "cooking pan") < _into(told, "minced beef", "baking dish")
+    assert _into(told, "minced beef", "baking dish") < _into(told, "milk", "baking dish")
+    assert not [inputs for inputs, one, _ in told if {"minced beef", "flour"} <= inputs and one.startswith("cook")]
+
+
+def test_pasta_is_tossed_in_a_green_cream(steps):
+    told = steps("pasta", "Tallarines Verdes", "spaghetti:uncooked", "spinach:leaves", "basil:leaf", "red onion:chopped",
+                 "garlic:clove", "oil:liquid", "evaporated milk:liquid", "pecans:whole")  # fmt: skip
+    assert {"basil", "pecans", "spinach"} <= inside(told, "blend")
+
+
+def test_meat_on_the_bone_comes_back_into_its_soup(steps):
+    told = steps("soup", "Borscht", "beef shin on the bone:raw", "water:liquid", "beetroot:coarsely grated",
+                 "onion:chopped", "oil:liquid", "potatoes:cut", "dill:chopped")  # fmt: skip
+    pulled = motions(told).index("pull apart")
+    assert "beef shin on the bone" in told[pulled][0]
+    assert [inputs for inputs, _, _ in told[pulled + 1 :] if "beef shin on the bone" in inputs]
+    assert any("coarsely grated" in node.states for _, one, out in told if one == "grate" for node in out)
