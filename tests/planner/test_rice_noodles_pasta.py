@@ -224,8 +224,8 @@ def test_a_white_sauce_lies_over_the_fried_meat(steps, title):
 
 
 def test_pasta_is_tossed_in_a_green_cream(steps):
-    told = steps("pasta", "Tallarines Verdes", "spaghetti:uncooked", "spinach:leaves", "basil:leaf", "red onion:chopped",
-                 "garlic:clove", "oil:liquid", "evaporated milk:liquid", "pecans:whole")  # fmt: skip
+    told = steps("pasta", "Tallarines Verdes", "spaghetti:uncooked", "spinach:leaves", "basil:leaf", "oil:liquid",
+                 "red onion:chopped", "garlic:clove", "evaporated milk:liquid", "pecans:whole")  # fmt: skip
     assert {"basil", "pecans", "spinach"} <= inside(told, "blend")
 
 

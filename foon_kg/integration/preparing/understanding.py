@@ -101,7 +101,7 @@ def _in_a_package(want: Want) -> Want:
     """Return a food that is sold free, but not in the state in which the kitchen has it: nobody keeps crumbs so."""
     if want.storage:
         return want
-    for storage in ("bag", "bottle", "container", "packet"):  # the names of four lists of states, and of what they come in
+    for storage in ("bag", "bottle", "container", "packet"):  # each names a list of states
         if not word_list(f"comes in a {storage}").isdisjoint(want.leaf):
             return replace(want, storage=storage)
     return want
