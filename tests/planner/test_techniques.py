@@ -141,7 +141,7 @@ def test_what_a_cutlet_is_eaten_with_is_not_fried_with_it(steps):
 
 def test_eggs_are_whisked_and_come_into_a_soup_last(steps):
     told = steps("soup", "Avgolemono", "chicken stock:liquid", "orzo:uncooked", "eggs:uncooked", "lemon juice:juice")
-    assert first(told, "eggs", "whisk") < first(told, "orzo", "simmer") < first(told, "egg mixture", "simmer")
+    assert first(told, "eggs", "whisk") < first(told, "orzo", "simmer") < first(told, "egg mixture", "cook and stir")
 
 
 def test_a_bowl_on_rice_has_its_eggs_fried_apart(steps):
