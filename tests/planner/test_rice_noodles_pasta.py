@@ -236,3 +236,53 @@ def test_meat_on_the_bone_comes_back_into_its_soup(steps):
     assert "beef shin on the bone" in told[pulled][0]
     assert [inputs for inputs, _, _ in told[pulled + 1 :] if "beef shin on the bone" in inputs]
     assert any("coarsely grated" in node.states for _, one, out in told if one == "grate" for node in out)
+
+
+@pytest.mark.parametrize(("dish_type", "title"), [("noodle", "Sopa de fideo"), ("noodle", "Fideuà"), ("noodle", "")])
+def test_thin_noodles_are_fried_and_swell_in_their_broth(steps, dish_type, title):
+    told = steps(dish_type, title, "vermicelli:uncooked", "oil:liquid", "tomatoes:chopped", "onion:chopped",
+                 "chicken stock:liquid", "queso fresco:crumbled")  # fmt: skip
+    assert "vermicelli" in inside(told, "cook and stir")
+    assert {"vermicelli", "chicken stock"} <= inside(told, "simmer")
+
+
+@pytest.mark.parametrize("title", ["Koshari", ""])
+def test_rice_pulses_and_pasta_are_boiled_and_lie_under_their_sauce(steps, title):
+    told = steps("rice", title, "rice:uncooked", "lentils:dried", "macaroni:uncooked", "onion:sliced", "oil:liquid",
+                 "tomato:crushed", "garlic:minced", "vinegar:liquid")  # fmt: skip
+    off = max(place for place, motion in enumerate(motions(told)) if motion == "turn off")
+    assert _into(told, "rice", "pot") < off < max(n for n, (inputs, _, _) in enumerate(told) if "onion" in inputs)
+    assert not [inputs for inputs, _, _ in told if {"rice", "onion", "stove"} <= inputs]
+
+
+def test_onions_in_flour_are_fried_crisp_over_rice_and_lentils(steps):
+    told = steps("rice", "Mujaddara", "lentils:dried", "onions:sliced", "flour:powder", "oil:liquid", "rice:uncooked",
+                 "water:liquid", "cumin:ground")  # fmt: skip
+    assert inside(told, "mix") == {"flour", "onions"}
+    assert "flour" not in inside(told, "simmer")
+
+
+def test_a_biryani_without_a_name_boils_its_rice(steps):
+    told = steps("rice", "", "rice:uncooked", "chicken:pieces", "yogurt:creamy", "onion:sliced", "garlic:crushed",
+                 "garam masala:ground", "ghee:creamy", "salt:granulated")  # fmt: skip
+    assert {"chicken", "yogurt"} <= {name for node in told[motions(told).index("mix")][2] for name in node.ingredients}
+    assert first(told, "rice", "boil") < motions(told).index("simmer")
+
+
+def test_grains_of_wheat_are_boiled_for_a_salad(steps):
+    told = steps("salad", "", "wheat:grain", "parsley:leaves", "tomato:diced", "oil:liquid", "lemon juice:juice")
+    assert first(told, "wheat", "cook") < first(told, "parsley", "mix")
+
+
+def test_spaetzle_are_boiled_and_then_turned_in_fried_onions(steps):
+    told = steps("pasta", "Käsespätzle", "flour:powder", "eggs:uncooked", "water:liquid", "salt:granulated",
+                 "onions:sliced", "butter:unmelted", "Emmental:grated")  # fmt: skip
+    assert {"Emmental", "onions"}.isdisjoint(inside(told, "mix"))
+    assert motions(told).index("boil") < first(told, "onions", "cook and stir") < _into(told, "Emmental", "cooking pan")
+
+
+def test_the_herbs_of_a_pistou_are_blended_and_stirred_into_the_soup(steps):
+    told = steps("soup", "Soupe au pistou", "white beans:soaked", "olive oil:liquid", "onion:chopped", "carrots:diced",
+                 "water:liquid", "garlic:clove", "basil:leaf", "parmesan:grated")  # fmt: skip
+    assert {"basil", "garlic", "parmesan"} <= inside(told, "blend")
+    assert "bake" not in motions(told)
