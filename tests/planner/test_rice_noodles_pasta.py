@@ -286,3 +286,10 @@ def test_the_herbs_of_a_pistou_are_blended_and_stirred_into_the_soup(steps):
                  "water:liquid", "garlic:clove", "basil:leaf", "parmesan:grated")  # fmt: skip
     assert {"basil", "garlic", "parmesan"} <= inside(told, "blend")
     assert "bake" not in motions(told)
+
+
+def test_vine_leaves_are_rolled_around_their_rice(steps):
+    told = steps("rice", "Stuffed vine leaves", "vine leaves in brine:rinsed", "rice:uncooked", "dill:chopped",
+                 "onions:chopped", "olive oil:liquid", "water:liquid", "Greek yoghurt::serving")  # fmt: skip
+    assert {"rice", "onions"} <= inside(told, "stir")
+    assert motions(told).index("roll") < motions(told).index("simmer")
