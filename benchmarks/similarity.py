@@ -22,7 +22,7 @@ from foon_kg.loaders.text_reader import read_text
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import cosine_similarity
-from foon_kg.similarity.answers import LEAST
+from foon_kg.similarity.confidences import LEAST
 from foon_kg.similarity.evidence import KINDS, Evidence
 from foon_kg.similarity.food import FoodSimilarity
 from foon_kg.similarity.groups import FoodGroups, food_groups

@@ -16,7 +16,7 @@ from foon_kg.planning.paper import plan_by_the_paper
 from foon_kg.planning.planner import Planner
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.similarity import matching
-from foon_kg.similarity.answers import Confidences, best
+from foon_kg.similarity.confidences import Confidences, best
 
 Method = Callable[[TeachingView, Recipe], Sequence[FunctionalUnit]]
 """Answers the units of a tree; raises NoTreeError where there is none."""

@@ -46,7 +46,7 @@ def in_view(
         return tuple(in_role(name, labels, role, limit) for name in foods)
     if vectors is None:
         return view.equivalents(foods, limit=limit)
-    from foon_kg.similarity.answers import nearest_of_each
+    from foon_kg.similarity.confidences import nearest_of_each
 
     return nearest_of_each(named_similarity(vectors), foods, view.vocabulary().labels, limit)
 

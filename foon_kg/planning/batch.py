@@ -105,7 +105,7 @@ class Answer:
 
 
 class Cook:
-    """Answers questions from one view, one after the other; ``units`` are all of the FOON, where there are many."""
+    """Plans what is asked of one view, one question after the other; ``units`` are all of the FOON, where many come."""
 
     def __init__(self, view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
         self.view = view

@@ -16,7 +16,7 @@ from foon_kg.search.reduction import Reduced, Value, value_of
 Options = dict[int, list[int]]
 """The steps that may be chosen for each waiting node; empty where the tree is given up."""
 
-_CLOCK_EVERY = 16
+_CLOCK_EVERY = 16  # trees are tried between two looks at the clock
 
 
 class BranchAndBound(ABC):

@@ -19,9 +19,17 @@ _FILLED_BY_A_UNIT = 50
 _PROCESSED = 100
 _TURNED_ON_BY_A_UNIT = 200
 _MIXTURE = 1000
+"""For each food in a mixture."""
+
 _MADE = 2
+"""How many times as much a mixture costs that a unit makes."""
+
 _UNNAMED = 4
 """How many foods a mixture counts for that names none."""
+
+ABSENT = 3
+"""What a search pays for a utensil that is not among those a person named: not so much that it would rather assume that
+a food is processed already, for then it would be said that the food is missing, and not the utensil."""
 
 
 def mixtures(kitchen: Kitchen, vocabulary: Vocabulary, units: Sequence[KnownUnit] | None = None) -> frozenset[str]:
@@ -74,8 +82,3 @@ def gap_cost(
         return _MIXTURE * max(foods, 1) * (_MADE if node in made else 1)
 
     return cost
-
-
-ABSENT = 3
-"""What a search pays for a utensil that is not among those a person named: not so much that it would rather assume that
-a food is processed already, for then it would be said that the food is missing, and not the utensil."""

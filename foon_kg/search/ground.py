@@ -77,7 +77,10 @@ class Ground:
 
 @dataclass(eq=False)
 class Explored:
-    """What was found in one index so far: recipes that want different things mostly get the same tree of a goal."""
+    """What was found in one index so far: recipes that want different things mostly get the same tree of a goal.
+
+    There are no more ``grounds`` than goals in the index; of ``trees`` there is one for each choice of wanted foods.
+    """
 
     grounds: dict[Goals, Ground | None] = field(default_factory=dict)
     trees: Recent[tuple[Goals, frozenset[frozenset[str]]], ReferenceTree] = field(

@@ -1,4 +1,4 @@
-"""What is asked of the search, and what it answers."""
+"""What is asked of the search, and what it returns."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ def retrieve(
     the contents of the problem alone. It is the one that enumerating every path of the paper's Cartesian product
     gives (Sakib, Paulius, Sun 2021, Algorithm 3), found by branch and bound.
 
-    ``time_limit`` is in seconds, ``None`` for none: a search that it stops answers the best tree found so far with
+    ``time_limit`` is in seconds, ``None`` for none: a search that it stops returns the best tree found so far with
     ``exact=False`` and what is proven about the best. ``explored`` is what was found for other questions to this index
     and keeps what is found now; it changes no answer that is proven, and serves where nothing is ``available``.
 

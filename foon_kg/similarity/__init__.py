@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from foon_kg.model.knowledge import Neighbour
-    from foon_kg.similarity.answers import Confidences, Similarity
+    from foon_kg.similarity.confidences import Confidences, Similarity
     from foon_kg.similarity.food import food_similarity
     from foon_kg.similarity.lists import count_similar, matching
     from foon_kg.similarity.raw import cosine_similarity, plugged_similarity, spacy_similarity
@@ -29,9 +29,9 @@ __all__ = [
 ]
 
 _HOMES = {
-    "Confidences": "foon_kg.similarity.answers",
+    "Confidences": "foon_kg.similarity.confidences",
     "Neighbour": "foon_kg.model.knowledge",
-    "Similarity": "foon_kg.similarity.answers",
+    "Similarity": "foon_kg.similarity.confidences",
     "cosine_similarity": "foon_kg.similarity.raw",
     "count_similar": "foon_kg.similarity.lists",
     "food_similarity": "foon_kg.similarity.food",

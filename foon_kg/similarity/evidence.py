@@ -31,9 +31,13 @@ KINDS = (
     "no food",  # the wanted one is in no table of foods
     "unknown word",  # the wanted one has another word that nobody ever read of food: floober sauce
 )
-"""The kinds of evidence, in the order in which :meth:`Evidence.between` answers them."""
+"""The kinds of evidence, in the order in which :meth:`Evidence.between` has them."""
 
-_KIND_SHARE, _ALONE = 0.5, 0.8
+_KIND_SHARE = 0.5
+"""Half of how near a name is to a listed food is what WordNet says of both, where it knows both."""
+
+_ALONE = 0.8
+"""So much the cosine of their vectors counts where WordNet does not know one of them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,15 +118,15 @@ class Evidence:
 
     @cached_property
     def _obscure(self) -> Callable[[str], bool]:
-        """What :meth:`_is_obscure` answers, kept: plans ask again and again of the same names."""
+        """:meth:`_is_obscure`, kept: plans ask again and again of the same names."""
         return lru_cache(maxsize=MOST_NAMES)(self._is_obscure)
 
     def _is_strange(self, name: str) -> bool:
-        """Say whether no table lists a name or any ending of it as a food."""
+        """Return whether no table lists a name or any ending of it as a food."""
         return not self.food_groups.has_ending(name) and tables().foods.find(name)[0] == "unknown"
 
     def _is_obscure(self, name: str) -> bool:
-        """Say whether a word of a name of several is in no recipe that the vectors were learnt from, nor any table."""
+        """Return whether a word of a name of several is in no recipe behind the vectors, nor in any table."""
         words = name.split()
         return len(words) > 1 and any(
             word.isalpha() and not self.food_vectors.knows(word) and word not in self._listed_words for word in words

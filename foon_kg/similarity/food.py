@@ -4,9 +4,9 @@
 judged as a cook would, stretched so that what is *told* (the first five of a food) is accepted as often as is said.
 ``benchmarks/similarity.py`` fits the weights (``similarity.json``) and measures them on halves that they were not
 fitted on: of what was told at 0.9 or more 97 % were accepted, at 0.5 to 0.7 54 %, at 0.1 to 0.3 18 %. So 0.5 means: as
-likely as not, a cook would accept the known food. Below :data:`~foon_kg.similarity.answers.LEAST` nothing is like it,
-and the confidence is 0. Of a name with a word that no recipe and no table has ("floober sauce") nothing is sure. Equal
-canonical names are one food and answer 1; nothing else reaches 0.99.
+likely as not, a cook would accept the known food. Below ``LEAST`` (:mod:`foon_kg.similarity.confidences`) nothing is
+like it, and the confidence is 0. Of a name with a word that no recipe and no table has ("floober sauce") nothing is
+sure. Equal canonical names are one food, at 1; nothing else reaches 0.99.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ import numpy.typing as npt
 
 from foon_kg.model.knowledge import Neighbour
 from foon_kg.model.names import canonical, canonical_all
-from foon_kg.similarity.answers import DECIMALS, LEAST, Confidences, best
+from foon_kg.similarity.confidences import DECIMALS, LEAST, Confidences, best
 from foon_kg.similarity.evidence import KINDS, Evidence, Names
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.roles import roles, roles_of
@@ -48,11 +48,11 @@ _TOLD_AS = {
 
 @dataclass(frozen=True, eq=False)
 class _Known:
-    """Known names made ready once, and the rows of odds that were asked for them so far."""
+    """Known names made ready once, and the log odds of each wanted name so far, a row of them all."""
 
     names: npt.NDArray[np.str_]
     about: Names
-    answered: dict[str, Table]
+    odds_of: dict[str, Table]
 
     @cached_property
     def roles(self) -> npt.NDArray[np.int64]:
@@ -61,7 +61,7 @@ class _Known:
 
 
 class FoodSimilarity:
-    """Weighs the evidence for each pair of names; rows once answered are remembered."""
+    """Weighs the evidence for each pair of names; the odds of a name once asked are remembered."""
 
     def __init__(self, evidence: Evidence, weights: Table, bias: float, slot: tuple[float, float] = (1.0, 0.0)) -> None:
         self.evidence = evidence
@@ -86,7 +86,7 @@ class FoodSimilarity:
     def in_slots(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
         """Return how sure a cook is to accept each known food for what the wanted one does in the slot of a dish.
 
-        One row for each wanted name, one column for each known one: the most that :meth:`in_slot` answers for any role.
+        One row for each wanted name, one column for each known one: the most that :meth:`in_slot` returns for any role.
         """
         rows, side = [canonical(name) for name in wanted], self._side(known)
         slope, bias = self._slot
@@ -139,19 +139,19 @@ class FoodSimilarity:
 
     def _odds(self, rows: Sequence[str], side: _Known) -> Table:
         """Return the log odds that each known name stands for each of ``rows``, which are remembered."""
-        new = [name for name in dict.fromkeys(rows) if name not in side.answered]
+        new = [name for name in dict.fromkeys(rows) if name not in side.odds_of]
         if new and len(side.names):
-            if (len(side.answered) + len(new)) * len(side.names) > _REMEMBERED:
-                side.answered.clear()
+            if (len(side.odds_of) + len(new)) * len(side.names) > _REMEMBERED:
+                side.odds_of.clear()
                 new = list(dict.fromkeys(rows))
             step = min(max(_AT_ONCE // len(side.names), 1), _NAMES_AT_ONCE)
             for start in range(0, len(new), step):
                 some = new[start : start + step]
                 evidence = self.evidence.between(self.evidence.about(some), side.about)
                 odds = np.tensordot(self._weights, evidence, axes=1) + self.bias
-                side.answered.update(zip(some, odds, strict=True))
+                side.odds_of.update(zip(some, odds, strict=True))
         there = len(side.names) > 0
-        return np.array([side.answered[name] for name in rows if there]).reshape(len(rows), len(side.names))
+        return np.array([side.odds_of[name] for name in rows if there]).reshape(len(rows), len(side.names))
 
 
 def _roles(names: Sequence[str]) -> npt.NDArray[np.int64]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from foon_kg.model.errors import UsageError
 from foon_kg.model.knowledge import Neighbour
-from foon_kg.similarity.answers import best
+from foon_kg.similarity.confidences import best
 from foon_kg.similarity.food import food_similarity
 from foon_kg.similarity.roles import roles
 

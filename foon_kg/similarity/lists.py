@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from foon_kg.similarity.answers import Confidences, Similarity
+from foon_kg.similarity.confidences import Confidences, Similarity
 from foon_kg.similarity.food import food_similarity
 
 
@@ -61,7 +61,7 @@ def heaviest_matching(weights: Confidences) -> list[tuple[int, int]]:
     """Return (row, column) pairs, each row and column at most once, of the greatest total weight; rows ascending.
 
     ``weights`` are not negative. The Hungarian method in Jonker's and Volgenant's form (1987): for each row the
-    shortest augmenting path under reduced costs; O(rows² · columns).
+    shortest augmenting path under reduced costs; O(rows² · columns). scipy has it, and would be needed for this alone.
     """
     if weights.shape[0] > weights.shape[1]:
         return sorted((row, column) for column, row in heaviest_matching(weights.T))

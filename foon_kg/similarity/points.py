@@ -20,7 +20,7 @@ from functools import lru_cache
 import numpy as np
 
 from foon_kg.model.names import canonical
-from foon_kg.similarity.answers import DECIMALS
+from foon_kg.similarity.confidences import DECIMALS
 from foon_kg.similarity.evidence import Names
 from foon_kg.similarity.food import FoodSimilarity, confidence_of, food_similarity
 from foon_kg.similarity.sparse import Table

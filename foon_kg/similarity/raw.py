@@ -12,14 +12,15 @@ from foon_kg.model.errors import UsageError
 from foon_kg.model.knowledge import Neighbour
 from foon_kg.model.names import canonical
 from foon_kg.model.plugins import SIMILARITY, plugin
-from foon_kg.similarity.answers import DECIMALS, Confidences, best
-from foon_kg.similarity.vectors import Vectors, food_vectors
+from foon_kg.similarity.confidences import DECIMALS, Confidences, best
+from foon_kg.similarity.vectors import Vectors, food_vectors, of_length_one
 
 _TABLE = 2  # dimensions
+_ROW_A_NAME = "It gives a row of numbers for each name."
 
 
 class CosineSimilarity:
-    """The cosine of two names' vectors, 0 where it is negative or a name has none; equal names answer 1."""
+    """The cosine of two names' vectors, 0 where it is negative or a name has none; equal names have 1."""
 
     def __init__(self, embed: Callable[[Sequence[str]], Vectors]) -> None:
         self._embed = embed
@@ -55,14 +56,24 @@ def plugged_similarity(name: str) -> CosineSimilarity | None:
         return None
 
     def embed(names: Sequence[str]) -> Vectors:
-        rows = np.asarray(embedding(list(names)), dtype=np.float64)
-        if rows.ndim != _TABLE or len(rows) != len(names):
-            told = f"the plug-in “{name}” gave vectors of the shape {rows.shape} for {len(names)} names"
-            raise UsageError(told, hint="It gives a row a name.", code="plugin")
-        lengths = np.linalg.norm(rows, axis=1, keepdims=True)
-        return rows / np.where(lengths == 0, 1.0, lengths)
+        return of_length_one(_checked(embedding(list(names)), name, len(names)))
 
     return CosineSimilarity(embed)
+
+
+def _checked(given: object, plugin_name: str, count: int) -> Vectors:
+    """Return the vectors that a plug-in gave for ``count`` names; raises UsageError where they are anything else."""
+    try:
+        rows = np.asarray(given, dtype=np.float64)
+    except (TypeError, ValueError) as error:  # rows of different lengths, or no numbers
+        wrong = f"the plug-in “{plugin_name}” gave no table of numbers: {error}"
+        raise UsageError(wrong, hint=_ROW_A_NAME, code="plugin") from error
+    if rows.ndim != _TABLE or len(rows) != count:
+        wrong = f"the plug-in “{plugin_name}” gave vectors of the shape {rows.shape} for {count} names"
+        raise UsageError(wrong, hint=_ROW_A_NAME, code="plugin")
+    if not np.isfinite(rows).all():  # one that is not a number makes every cosine none
+        raise UsageError(f"the plug-in “{plugin_name}” gave infinite numbers or none", hint=_ROW_A_NAME, code="plugin")
+    return rows
 
 
 @lru_cache(maxsize=2)
@@ -92,8 +103,6 @@ def spacy_similarity(pipeline_name: str) -> CosineSimilarity:
 
     def embed(names: Sequence[str]) -> Vectors:
         rows = np.array([pipeline.make_doc(name).vector for name in names], dtype=np.float64)
-        rows = rows.reshape(len(names), pipeline.vocab.vectors_length)
-        lengths = np.linalg.norm(rows, axis=1, keepdims=True)
-        return rows / np.where(lengths == 0, 1.0, lengths)
+        return of_length_one(rows.reshape(len(names), pipeline.vocab.vectors_length))
 
     return CosineSimilarity(embed)

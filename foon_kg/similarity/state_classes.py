@@ -17,6 +17,7 @@ from typing import Any
 from foon_kg.model.errors import ReadError
 from foon_kg.model.json_text import json_value
 from foon_kg.model.names import canonical
+from foon_kg.model.recent import MOST_WORDS, Recent
 from foon_kg.model.regular_files import read_text
 from foon_kg.similarity.vectors import food_vectors
 
@@ -27,7 +28,7 @@ LISTED, BY_ADVERB, BY_WORD = 1.0, 0.9, 0.7
 (measured)."""
 
 _UNKNOWN = 0.1  # one class of twelve, and a little for the commonest
-_NEAREST = 5
+_NEAREST = 5  # listed states vote on the class of one that nobody listed
 _SURER = 1.3  # the nearest states are right more often than their cosines say
 
 Pair = tuple[str, str]
@@ -42,13 +43,16 @@ class StateClasses:
     processed: frozenset[str]
     adverbs: Mapping[Pair, str]
     places: Mapping[str, str]
-    _placed: dict[str, tuple[str, float]] = field(default_factory=dict)
+    _placed: Recent[str, tuple[str, float]] = field(default_factory=lambda: Recent(MOST_WORDS))
 
     def place(self, state: str) -> tuple[str, float]:
         """Return the class of a canonical state and how sure that is."""
-        if state not in self._placed:
-            self._placed[state] = (self.class_of[state], LISTED) if state in self.class_of else self.guess(state)
-        return self._placed[state]
+        if state in self.class_of:
+            return self.class_of[state], LISTED
+        placed = self._placed.find(state)
+        if placed is None:  # guesses alone are kept: one is compared with every state that the table lists
+            placed = self._placed[state] = self.guess(state)
+        return placed
 
     def guess(self, state: str) -> tuple[str, float]:
         """Return the class of a state that the table does not list; benchmarks/similarity_states.py measures this."""

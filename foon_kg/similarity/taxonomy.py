@@ -47,7 +47,7 @@ class FoodTaxonomy:
 
     @cached_property
     def _kinds(self) -> Callable[[str], Kinds]:
-        """What :meth:`_kinds_of` answers, kept: plans ask again and again of the same names."""
+        """:meth:`_kinds_of`, kept: plans ask again and again of the same names."""
         return lru_cache(maxsize=MOST_NAMES)(self._kinds_of)
 
     def _kinds_of(self, name: str) -> Kinds:
@@ -81,6 +81,7 @@ def food_taxonomy() -> FoodTaxonomy:
 
 
 def _closure(parents: Sequence[Sequence[int]]) -> tuple[frozenset[int], ...]:
+    """Return of each kind all kinds above it, itself too."""
     done: dict[int, frozenset[int]] = {}
 
     def above(kind: int) -> frozenset[int]:

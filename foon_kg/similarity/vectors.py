@@ -38,8 +38,7 @@ class FoodVectors:
         if counts.any():
             starts = (np.cumsum(counts) - counts)[counts > 0]
             totals[counts > 0] = np.add.reduceat(self.vectors[[p for each in places for p in each]], starts, axis=0)
-        lengths = np.sqrt((totals * totals).sum(axis=1, keepdims=True))
-        return totals / np.where(lengths == 0, 1.0, lengths)
+        return of_length_one(totals)
 
     def knows(self, word: str) -> bool:
         """Return whether there is a vector for a word of small letters."""
@@ -47,6 +46,13 @@ class FoodVectors:
 
     def _places(self, name: str) -> list[int]:
         return [self.places[s] for s in map(stem, _WORD.findall(name)) if s in self.places]
+
+
+def of_length_one(rows: Vectors) -> Vectors:
+    """Return ``rows``, each as long as 1; one of zeros stays so."""
+    lengths = np.sqrt((rows * rows).sum(axis=1, keepdims=True))
+    unit: Vectors = rows / np.where(lengths == 0, 1.0, lengths)
+    return unit
 
 
 @lru_cache(maxsize=1)

@@ -20,7 +20,7 @@ from foon_kg.model.errors import ReadError
 from foon_kg.model.knowledge import KnowledgeView, LikelyGoals, Neighbour, Vocabulary
 from foon_kg.plans.kitchen import Kitchen, singular
 from foon_kg.similarity import food_similarity
-from foon_kg.similarity.answers import nearest_of_each
+from foon_kg.similarity.confidences import nearest_of_each
 from foon_kg.store.vocabulary import FoodState, WordCounts, food_states
 
 

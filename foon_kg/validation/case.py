@@ -80,7 +80,7 @@ class Case:
 
     @cached_property
     def facts(self) -> dict[tuple[frozenset[str], int], object]:
-        """What rules keep of each unit of the tree, by what is food here and its identity."""
+        """What a rule worked out of each unit of the tree, as :attr:`KnownFoon.facts` has it of the FOON's."""
         return {}
 
     @cached_property
@@ -112,7 +112,7 @@ class Case:
         return places[-1] if places else None
 
     def touches_food(self, unit: TreeUnit) -> bool:
-        """Whether a unit has food among what comes out, or among what goes in and is not just put away."""
+        """Whether food comes out of a unit: what only puts a vessel away does not."""
         return any(self.is_food(node) for node in unit.output_nodes)
 
     @cached_property
@@ -171,11 +171,12 @@ class Case:
         return name in self.free
 
     def is_wanted(self, name: str) -> bool:
-        """Return whether the food ``name`` was asked for, in the same words or with one more (broth, chicken broth)."""
+        """Return whether the food ``name`` was asked for, in these words, fewer or more of them (chicken broth)."""
         return name in self.required_names or any(_alike(name, other) for other in self.required_names)
 
 
 def _alike(one: str, other: str) -> bool:
+    """Return whether two names end alike, and one has all words of the other."""
     mine, theirs = words(one), words(other)
     if not mine or not theirs or mine[-1] != theirs[-1]:
         return False

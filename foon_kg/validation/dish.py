@@ -18,10 +18,10 @@ from foon_kg.world import Part
 from foon_kg.world.becoming import meets
 
 _DONE = frozenset({"boil", "cook"})
+"""Treatments after which nothing is raw."""
 
 _BLENDED = 4
 """How fine what was blended is at least."""
-"""Treatments after which nothing is raw."""
 
 _COMES_LAST = (
     "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready", "dough", "starch",
@@ -257,7 +257,7 @@ def asked(case: Case) -> Iterator[Finding]:
                 nodes = (case.goal,) if case.goal else ()
                 yield Finding("K6", f"{food} was asked for and is not in the dish", None, nodes)
         elif food in beside:
-            if _is_cooked_for_nothing(parts):
+            if _is_cooked_needlessly(parts):
                 yield Finding("K6", f"{food} is for serving and is cooked with the rest", parts[0].heated)
         elif food not in outside and _is_left_out(case, parts):
             yield Finding("K6", f"{food} is not mixed with the rest", parts[0].joined)
@@ -266,7 +266,7 @@ def asked(case: Case) -> Iterator[Finding]:
 def _is_left_out(case: Case, parts: Sequence[Part]) -> bool:
     """Whether all ``parts`` that there are of a food came to a mixed dish after the last mixing."""
     mixing = [part.mixed for part in case.parts if part.mixed is not None]
-    return bool(mixing) and all(_left_out(case, part, max(mixing)) for part in parts) and _mixes(case)
+    return bool(mixing) and all(_came_after_mixing(case, part, max(mixing)) for part in parts) and _mixes(case)
 
 
 def _unparted(case: Case) -> Iterator[Finding]:
@@ -300,9 +300,9 @@ def _is_asked_hot(case: Case, wanted: RequiredIngredient) -> bool:
     return any(case.tables.state(state).needs_heat for state in in_turn(wanted.state))
 
 
-def _is_cooked_for_nothing(parts: Sequence[Part]) -> bool:
+def _is_cooked_needlessly(parts: Sequence[Part]) -> bool:
     """Whether all that there is of a food was heated, which needs no heat."""
-    return all(part.heated is not None and {"boil", "cook"}.isdisjoint(part.food.owes) for part in parts)
+    return all(part.heated is not None and _DONE.isdisjoint(part.food.owes) for part in parts)
 
 
 def _parts_of(case: Case, food: str) -> list[Part]:
@@ -315,7 +315,7 @@ def _parts_of(case: Case, food: str) -> list[Part]:
     ]  # fmt: skip
 
 
-def _left_out(case: Case, part: Part, last: int) -> bool:
+def _came_after_mixing(case: Case, part: Part, last: int) -> bool:
     """Whether a part came to the dish after its ``last`` mixing, and is not of what is laid on or stirred in there."""
     if part.mixed == last or (part.mixed is not None and _is_of_a_dough(case, part.mixed)):
         return False  # it came on with the mixture: batter into a greased tin, a pancake under its sauce

@@ -42,7 +42,10 @@ class KnownFoon:
 
     @cached_property
     def facts(self) -> dict[tuple[frozenset[str], int], object]:
-        """What rules keep of each unit of the FOON, by what is food and by its identity: units stay as long as this."""
+        """What a rule worked out of each unit, by the names that are foods here, and by the identity of the unit.
+
+        Every tree that is judged asks for them. An identity is not used again, for the units stay as long as this.
+        """
         return {}
 
     @cached_property

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import get_args
 
 from foon_kg.food import singular
 from foon_kg.model import FunctionalUnit
-from foon_kg.model.claims import Substitution
+from foon_kg.model.claims import Substitution, SubstitutionKind
 from foon_kg.model.tree import TreeUnit
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
 
-KINDS = ("object", "state", "motion", "tool", "vessel")
+KINDS: tuple[str, ...] = get_args(SubstitutionKind)
 
 
 class Grounding(IntEnum):
@@ -36,16 +37,16 @@ def honest(case: Case) -> Iterator[Finding]:
     named = {singular(name) for node in case.tree.nodes for name in (node.label, *node.ingredients)}
     for place, entry in enumerate(entries):
         for reason in _incomplete(entry):
-            yield Finding("C7", f"substitution {place}, {_told(entry)}: {reason}")
+            yield Finding("C7", f"substitution {place}, {_in_words(entry)}: {reason}")
         if entry in entries[:place]:
-            yield Finding("C7", f"substitution {place}, {_told(entry)}, is there twice")
+            yield Finding("C7", f"substitution {place}, {_in_words(entry)}, is there twice")
         elif not _is_used(case, entry, named):
-            yield Finding("C7", f"substitution {place}, {_told(entry)}: no unit uses it")
+            yield Finding("C7", f"substitution {place}, {_in_words(entry)}: no unit uses it")
     if case.foon is not None:
-        yield from _untold(case)
+        yield from _undeclared_evidence(case)
 
 
-def _untold(case: Case) -> Iterator[Finding]:
+def _undeclared_evidence(case: Case) -> Iterator[Finding]:
     """Yield the units whose evidence is no food like theirs and that do not say by what they are grounded."""
     for place, unit in enumerate(case.tree.units):
         if unit.seen_in and _nearest(case, unit) > Grounding.LIKE and unit.grounding is None:
@@ -202,6 +203,7 @@ def _read_facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
     return _Facts(foods_in | foods_out, foods_in, tools)
 
 
-def _told(entry: Substitution) -> str:
+def _in_words(entry: Substitution) -> str:
+    """Return what an entry says, for a message."""
     about = f"{entry.object}: " if entry.kind != "object" and entry.object else ""
     return f"{about}{entry.required or 'nothing'} for {entry.equivalent or 'nothing'} ({entry.kind or 'no kind'})"

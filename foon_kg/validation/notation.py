@@ -10,13 +10,14 @@ One step a line, nodes as ``str(node)`` writes them, the motion in capitals betw
 - A line that begins with ``→`` or ``+`` goes on with the line before. ``->`` may be written for ``→``.
 - ``bowl#3`` and ``in bowl#3`` are things with numbers. ``nothing`` stands for an empty list or an empty side.
 - A name that would be read as something else stands in quotes, as in JSON: ``"off (ready)"``, ``"from faucet"``.
-- Of the tree: ``name``, ``dish``, ``asked``, ``title``, ``id``, ``goal``, ``kitchen``, ``assumed`` (``node: why``),
-  ``substitution`` (``kind (object): required like equivalent (confidence); alternative (confidence), …``), ``level``,
-  ``error``. Of the step above: ``seen in``, ``grounding``, ``origin``.
+- Of the tree: ``name``, ``dish``, ``asked`` (``food (state; for part)``), ``title``, ``id``, ``goal``, ``kitchen``,
+  ``assumed`` (``node: why``), ``substitution`` (``kind (object): required like equivalent (confidence); alternative
+  (confidence), …``), ``level``, ``error``. Of the step above: ``seen in``, ``grounding``, ``origin``.
 - ``---`` ends a tree and begins the next one.
 - ``✗ fatal: why`` says that the step above breaks a rule, ``✗ minor at the end: why`` that the whole tree does.
 
-A sighting has no source and no times here; all else that a :class:`TaskTree` says is kept. How names and nodes are
+Not kept are the source and the times of a sighting, the amounts that were asked, and of a unit its phase, its measures,
+its star and what moves in it; all else that a :class:`TaskTree` says is. How names and nodes are
 written is in :mod:`foon_kg.validation.notation_nodes`.
 """
 
@@ -96,7 +97,7 @@ def remarks(text: str, where: str = "tree") -> tuple[Remark, ...]:
 
 
 def write_tree(tree: TaskTree) -> str:
-    """Return a tree as text that :func:`read_tree` reads back as the same tree."""
+    """Return a tree as text that :func:`read_tree` reads back as the same tree, but for what the module says."""
     return "\n".join([*_head(tree), *(line for unit in tree.units for line in _unit_lines(unit))]) + "\n"
 
 
@@ -108,8 +109,8 @@ def _head(tree: TaskTree) -> Iterator[str]:
     if tree.recipe is not None:
         yield f"dish: {written_rest(tree.recipe.dish_type)}"
         yield f"asked: {nodes.written_asked(tree.recipe.ingredients)}"
-        yield from _told("title", tree.recipe.title)
-        yield from _told("id", tree.recipe.id)
+        yield from _optional("title", tree.recipe.title)
+        yield from _optional("id", tree.recipe.id)
     if tree.goal is not None:
         yield f"goal: {nodes.written_node(Mention(tree.goal))}"
     if tree.kitchen is not None:
@@ -118,18 +119,18 @@ def _head(tree: TaskTree) -> Iterator[str]:
     yield from _listed("assumed", tree.assumptions, nodes.written_assumption)
     if tree.level is not None:
         yield f"level: {tree.level.value}"
-    yield from _told("error", tree.error)
+    yield from _optional("error", tree.error)
 
 
 def _unit_lines(unit: TreeUnit) -> Iterator[str]:
     yield nodes.written_step(unit.step)
     if unit.seen_in is not None:
         yield f"  seen in: {nodes.written_sightings(unit.seen_in)}"
-    yield from _told("  grounding", unit.grounding)
-    yield from _told("  origin", unit.origin)
+    yield from _optional("  grounding", unit.grounding)
+    yield from _optional("  origin", unit.origin)
 
 
-def _told(key: str, text: str | None) -> Iterator[str]:
+def _optional(key: str, text: str | None) -> Iterator[str]:
     if text is not None:
         yield f"{key}: {written_rest(text)}"
 
@@ -204,7 +205,7 @@ class _Draft:
     """A tree of which one line after another is read."""
 
     where: str
-    told: dict[str, Any] = field(default_factory=dict)
+    of_tree: dict[str, Any] = field(default_factory=dict)
     recipe: dict[str, Any] = field(default_factory=dict)
     steps: list[dict[str, Any]] = field(default_factory=list)
 
@@ -212,7 +213,7 @@ class _Draft:
         """Return what was read."""
         recipe = Recipe(**{"dish_type": "", "ingredients": (), **self.recipe}) if self.recipe else None
         units = tuple(TreeUnit(**step) for step in self.steps)
-        return TaskTree(**{"name": self.where, **self.told, "units": units, "recipe": recipe})
+        return TaskTree(**{"name": self.where, **self.of_tree, "units": units, "recipe": recipe})
 
     def add(self, line: Line) -> None:
         """Read a line: a step, or what a key tells."""
@@ -228,7 +229,7 @@ class _Draft:
         key = _KEYS[name]
         if key.of == "step" and not self.steps:
             line.fail(f"“{name}” stands under no step")
-        kept = {"tree": self.told, "recipe": self.recipe, "step": self.steps[-1] if self.steps else {}}[key.of]
+        kept = {"tree": self.of_tree, "recipe": self.recipe, "step": self.steps[-1] if self.steps else {}}[key.of]
         if key.again:
             kept[key.field] = (*kept.get(key.field, ()), *key.read(line))
         elif key.field in kept:

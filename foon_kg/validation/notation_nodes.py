@@ -177,9 +177,14 @@ def read_kitchen(line: Line) -> tuple[ObjectNode, ...]:
 
 
 def written_asked(asked: Iterable[RequiredIngredient]) -> str:
-    """Return the foods that were ``asked`` as ``food (state); food (state)``."""
-    foods = (written_name(one.object) + (f" ({written_name(one.state)})" if one.state else "") for one in asked)
-    return "; ".join(foods) or NOTHING
+    """Return the foods that were ``asked`` as ``food (state); food (state; for part)``."""
+    return "; ".join(map(_written_wanted, asked)) or NOTHING
+
+
+def _written_wanted(one: RequiredIngredient) -> str:
+    words = [written_name(one.state)] if one.state else []
+    words += [f"; for {written_name(one.part)}"] if one.part else []
+    return written_name(one.object) + (f" ({''.join(words)})" if words else "")
 
 
 def read_asked(line: Line) -> tuple[RequiredIngredient, ...]:
@@ -188,14 +193,14 @@ def read_asked(line: Line) -> tuple[RequiredIngredient, ...]:
 
 
 def _read_wanted(line: Line) -> RequiredIngredient:
-    food, state = line.name(), ""
+    food, state, part = line.name(), "", ""
     if line.take("("):
-        states = [line.name()]
-        while line.take(","):
-            states.append(line.name())
-        state = ", ".join(states)
+        state = "" if line.next_is(";") else ", ".join(_read_all(line, ",", Line.name))
+        if line.take(";"):
+            line.expect("for ")
+            part = line.name()
         line.expect(")")
-    return RequiredIngredient(food, state)
+    return RequiredIngredient(food, state, part=part)
 
 
 def written_substitution(entry: Substitution) -> str:

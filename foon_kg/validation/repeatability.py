@@ -10,7 +10,7 @@ from foon_kg.validation.report import Finding
 
 
 def repeatable(results: Sequence[object]) -> tuple[Finding, ...]:
-    """C9: compare plan results (JSON values) of the same question to the same graph, each with the first.
+    """Return the findings of C9: plan results (JSON values) of one question to one graph that differ from the first.
 
     One tree alone cannot show it, so ``foon check`` asks it of several answers to one recipe only.
     Everything that a result says is compared, the order of lists included; the order of JSON fields is not.

@@ -172,7 +172,7 @@ def _prepares(happening: Happening) -> bool:
 
 
 def _fetches_water(happening: Happening) -> bool:
-    return any(v.label == "faucet" for v in happening.vessels) and any(
+    return any(vessel.row.source == "water" for vessel in happening.vessels) and any(
         part.food.is_a("water") for lump in happening.outputs.values() for part in lump.parts
     )
 

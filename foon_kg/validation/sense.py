@@ -63,11 +63,11 @@ def _drunk_in_pieces(case: Case) -> Iterator[Finding]:
     kinds = _only_drunk_blended(case)
     if not kinds:
         return
-    mixed = _mixed_in_pieces(case)
-    pieces = [part for part in mixed if not part.food.is_a(*word_list("is a slice on a glass"))]
-    thick = {part.name for part in pieces if part.food.is_a(*kinds)}
+    pieces = [part for part in _mixed_in_pieces(case) if not part.food.is_a(*word_list("is a slice on a glass"))]
+    thick = [part for part in pieces if part.food.is_a(*kinds)]
     if thick:
-        yield Finding("K7", f"{names(thick)} is drunk in pieces", min(part.mixed or 0 for part in mixed))
+        step = min(part.mixed or 0 for part in thick)
+        yield Finding("K7", f"{names(part.name for part in thick)} is drunk in pieces", step)
 
 
 def _mixed_in_pieces(case: Case) -> list[Part]:

@@ -37,7 +37,7 @@ _WHOLE = {
 
 
 def raw(case: Case) -> Iterator[Finding]:
-    """K1: what must be cooked is cooked by a unit of the tree of ``case``, and dry starch in a liquid."""
+    """Yield the findings of K1 in ``case``: what must be cooked and no unit cooks (dry starch: boils), raw flour."""
     called = [dish for dish in case.tables.dishes_named(case.title) if not dish.is_type]
     eased = _eased(case, called)
     for part in _eaten_cooked(case, called):
@@ -147,7 +147,8 @@ def _is_done(part: Part, treatment: str) -> bool:
 
 def _asked_so(case: Case, part: Part) -> bool:
     """Whether a recipe asks for the part of a food that this is (a lemon's zest, an onion's skin)."""
-    asked = {state for wanted in case.required if wanted.object == part.name for state in wanted.state.split()}
+    wanted = (one for one in case.required if singular(one.object) == part.name)
+    asked = {word for one in wanted for word in one.state.split()}
     states = {state for lump in case.dish_lumps if part in lump.parts for state in (*lump.states, *part.states)}
     return any(asked & set(state.split()) for state in states)
 

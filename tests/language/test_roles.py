@@ -14,7 +14,7 @@ from foon_kg.model import RequiredIngredient
 from foon_kg.model.errors import UsageError
 from foon_kg.planning.likes import FoodLikes
 from foon_kg.similarity import cosine_similarity, food_similarity
-from foon_kg.similarity.answers import LEAST
+from foon_kg.similarity.confidences import LEAST
 from foon_kg.similarity.in_role import in_role
 from foon_kg.similarity.roles import roles, roles_of
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
 from foon_kg.similarity import Neighbour, cosine_similarity, food_similarity, spacy_similarity
-from foon_kg.similarity.answers import LEAST
+from foon_kg.similarity.confidences import LEAST
 from foon_kg.similarity.evidence import KINDS
 from foon_kg.similarity.forms import plain
 from foon_kg.similarity.groups import food_groups

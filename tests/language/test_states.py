@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from foon_kg.loaders import read_paths
 from foon_kg.model.errors import ReadError
+from foon_kg.model.recent import MOST_WORDS
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.state_classes import STATES_VARIABLE, state_classes
 from foon_kg.similarity.states import state_class, state_in
@@ -87,6 +88,13 @@ def test_any_word_has_a_class_with_a_confidence(text):
 
 def test_a_word_that_nobody_knows_is_placed_with_little_confidence():
     assert state_class("frobbed")[1] < 0.3
+
+
+def test_guesses_are_kept_up_to_a_limit():
+    classes = state_classes()
+    for number in range(MOST_WORDS + 10):
+        classes.place(f"chopped {number}")
+    assert len(classes._placed) <= MOST_WORDS
 
 
 def test_the_classes_can_be_replaced_by_a_file(tmp_path, monkeypatch):

@@ -10,7 +10,7 @@ from kitchen_stories import subgraph
 
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.similarity.answers import Confidences, Neighbour, best
+from foon_kg.similarity.confidences import Confidences, Neighbour, best
 from foon_kg.store.snapshot import Snapshot
 
 

@@ -16,7 +16,7 @@ from kitchen_stories import subgraph
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Subgraph
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.similarity.answers import Confidences, Neighbour, best
+from foon_kg.similarity.confidences import Confidences, Neighbour, best
 
 KITCHEN = Kitchen.default()
 DISHES = {"salad": "bowl", "soup": "pot", "omelette": "frying pan"}

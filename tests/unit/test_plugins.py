@@ -39,6 +39,8 @@ absent = "foon_not_there:write"
 [project.entry-points."foon_kg.similarity"]
 letters = "foon_shouting:letters"
 short = "foon_shouting:length"
+ragged = "foon_shouting:ragged"
+endless = "foon_shouting:endless"
 """
 MODULE = """
 from foon_kg.loaders import read_text
@@ -58,6 +60,14 @@ def letters(names):
 
 def length(*arguments):
     return [1.0]
+
+
+def ragged(names):
+    return [[1.0] * place for place, _ in enumerate(names)]
+
+
+def endless(names):
+    return [[float("inf")] for _ in names]
 
 
 def fails(*arguments):
@@ -146,6 +156,15 @@ def test_a_similarity_is_asked_by_its_name():
     assert json.loads(answer.stdout)["nearest"] == [{"name": "onion", "confidence": 1.0}]
     short = foon("similar", "caper", "--files", demo_folder(), "--vectors", "short")
     assert "gave vectors of the shape (1,)" in short.stderr
+
+
+@pytest.mark.usefixtures("installed")
+@pytest.mark.parametrize(("name", "why"), [("ragged", "no table of numbers"), ("endless", "infinite numbers")])
+def test_a_similarity_that_gives_no_numbers_is_named(name, why):
+    answer = foon("similar", "caper", "--files", demo_folder(), "--vectors", name)
+    assert answer.exit_code == 2
+    assert f"the plug-in “{name}” gave" in answer.stderr
+    assert why in answer.stderr
 
 
 @pytest.mark.usefixtures("installed")

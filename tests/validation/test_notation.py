@@ -223,6 +223,17 @@ def test_everything_that_is_told_of_a_tree_is_read():
     )
 
 
+def test_for_what_of_the_dish_a_food_is_asked_is_kept():
+    asked = (
+        RequiredIngredient("sugar", "powdered", part="glaze"),
+        RequiredIngredient("lemon", "", part="serving"),
+        RequiredIngredient("salt", "", part="1; 2"),
+    )
+    tree = TaskTree("cake", (), recipe=Recipe("cake", asked))
+    assert read_tree(write_tree(tree)) == tree
+    assert "asked: sugar (powdered; for glaze); lemon (; for serving)" in write_tree(tree)
+
+
 def test_what_a_text_leaves_out_is_not_told():
     assert read_tree("a → POUR → b", "short") == TaskTree("short", read_tree("a -> pour -> b").units)
     assert read_tree("", "empty") == TaskTree("empty", ())

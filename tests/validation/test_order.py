@@ -96,6 +96,8 @@ def test_w5_water_is_fetched_while_something_waits_in_the_heat():
         "W5 (minor) step 5: water is fetched while something waits in the heat"
     ]
     assert found("W5", lines(FAUCET, FETCH, ON_STOVE, OILED, LIGHT)) == []
+    tap, fetch = (text.replace("faucet", "tap") for text in (FAUCET, FETCH))
+    assert len(found("W5", lines(tap, ON_STOVE, OILED, LIGHT, fetch))) == 1
 
 
 def test_w5_other_food_may_be_washed_under_the_tap_while_the_pan_is_hot():

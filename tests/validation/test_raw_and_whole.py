@@ -310,6 +310,7 @@ def test_k2_remains_that_a_recipe_asks_for_are_food():
     step = on_plate("onion", "skin")
     assert found("K2", f"dish: salad\nasked: onion (skin)\n{step}") == []
     assert found("K2", f"dish: salad\nasked: onion (brown skin)\n{step}") == []
+    assert found("K2", f"dish: salad\nasked: onions (skin)\n{step}") == []
     for asked in ("onion (whole)", "onion", "lemon (skin)"):
         assert found("K2", f"dish: salad\nasked: {asked}\n{step}") == ["K2: the remains of onion are in the dish"]
 

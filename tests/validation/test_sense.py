@@ -258,3 +258,14 @@ def test_k7_fruit_in_milk_is_blended_and_not_drunk_in_pieces(title, foods, piece
     tree = recipe("drinks", "; ".join(foods), title) + served("drinks", *foods)
     told = [line for line in found("K7", tree) if "is drunk in pieces" in line]
     assert bool(told) is pieces
+
+
+def test_k7_the_step_is_named_that_stirs_in_what_had_to_be_blended():
+    stirred = (
+        "orange (whole; on table) + milk (liquid; on table) + glass (empty) + spoon → STIR → "
+        "drinks (in glass; {orange, milk}) + glass ({orange, milk}) + spoon\n"
+        "banana (whole; on table) + drinks (in glass; {orange, milk}) + glass ({orange, milk}) + spoon → STIR → "
+        "drinks (in glass; {banana, orange, milk}) + glass ({banana, orange, milk}) + spoon"
+    )
+    told = found("K7", recipe("drinks", "banana; orange; milk") + stirred)
+    assert [line for line in told if "drunk in pieces" in line] == ["K7 step 2: banana is drunk in pieces"]

@@ -21,7 +21,7 @@ from foon_kg.search.reduction import Reduced
 _PATIENCE = 16
 
 Weigh = Callable[[Core], Sequence[int]]
-"""Answers the weight of every step of a core, 1 or more."""
+"""Returns the weight of every step of a core, 1 or more."""
 
 Value = tuple[int, int]
 """(weight, minus the set of steps): the order between trees, the lesser the better."""
@@ -45,7 +45,7 @@ def least_weight(core: Core, weigh: Weigh, deadline: Deadline) -> LeastWeight | 
     """Return the lightest tree that makes the goal of ``core``; of equally light ones that with the least keys.
 
     The keys are those of its units; ``weigh`` gives a set of steps its weight. ``None`` where nothing makes the goal. A
-    search that the ``deadline`` stops answers the best tree found so far.
+    search that the ``deadline`` stops returns the best tree found so far.
     """
     order, made = chain(core)
     if not made[core.goal]:

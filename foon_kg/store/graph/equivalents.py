@@ -8,7 +8,7 @@ from typing import Any
 from foon_kg.model.knowledge import Neighbour
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
-from foon_kg.similarity.answers import LEAST, nearest_of_each
+from foon_kg.similarity.confidences import LEAST, nearest_of_each
 from foon_kg.similarity.points import Question, question
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.connection import Connection

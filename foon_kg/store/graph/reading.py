@@ -17,7 +17,7 @@ from foon_kg.model.errors import SchemaError, TooManyUnitsError
 from foon_kg.model.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
 from foon_kg.plans.kitchen import Kitchen, singular, words
 from foon_kg.similarity import food_similarity
-from foon_kg.similarity.answers import nearest_of_each
+from foon_kg.similarity.confidences import nearest_of_each
 from foon_kg.store.graph.edition import Edition
 from foon_kg.store.graph.equivalents import find_equivalents
 from foon_kg.store.graph.kept_rows import KeptRows

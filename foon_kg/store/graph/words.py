@@ -17,7 +17,7 @@ from foon_kg.model.knowledge import Gathering, MadeBy, SeenAs, Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import words
 from foon_kg.similarity import Confidences, food_similarity
-from foon_kg.similarity.answers import LEAST
+from foon_kg.similarity.confidences import LEAST
 from foon_kg.similarity.points import question
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.equivalents import FIRST, MORE

@@ -1,4 +1,4 @@
-"""What every similarity answers: a matrix of confidences, and out of it the nearest known names."""
+"""What every similarity gives: a matrix of confidences, and out of it the nearest known names."""
 
 from __future__ import annotations
 
