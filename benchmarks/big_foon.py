@@ -24,9 +24,10 @@ from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
+from foon_kg.food import singular
 from foon_kg.loaders import read_paths
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant, Subgraph
-from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data" / "foon-111" / "TXT"

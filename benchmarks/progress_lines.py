@@ -16,9 +16,10 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from foon_kg.food import singular
 from foon_kg.loaders.paths import read_paths
 from foon_kg.model import FunctionalUnit, ObjectNode, RequiredIngredient
-from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine, progress_lines
 from foon_kg.store.snapshot import goals_of
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from foon_kg.food import singular, words
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, RequiredIngredient, Subgraph
 from foon_kg.model.tree import newly_made
-from foon_kg.plans.kitchen import Kitchen, is_place, singular, words
+from foon_kg.plans.kitchen import Kitchen, is_place
 from foon_kg.store.snapshot import goals_of
 
 

@@ -19,11 +19,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
+from foon_kg.food import singular
 from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.model.tree import leaves_of
-from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine, ProgressStep, progress_lines
 from foon_kg.plans.result import PlanResult
 

@@ -7,9 +7,10 @@ from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from foon_kg.evaluation.edit_distance import edit_distance, unit_graph
+from foon_kg.food import singular
 from foon_kg.model import FunctionalUnit, ObjectNode
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.kitchen import Kitchen
 
 MEASURES = ("units", "units_with_states", "triples", "graph")
 """The measures of an overlap, each from 0 (nothing in common) to 1 (the same)."""

@@ -42,25 +42,26 @@ _JOINED = re.compile(
 _LEFT_TO_ITSELF = word_list("leaves it to itself")
 _BETWEEN = "_"
 _WORDS = re.compile(r"[^\W_](?:[\w'&-]*\w)?")
-_LONGEST_NAME = 5
+_LONGEST_NAME = 5  # words
 _NAME = re.compile(r"[^\W_](?:[\w'&-]*_)+(?:[\w'&-]*\w)?")
 _ENDS_A_NAME = re.compile(r"\s*(?:[,.;:!?]|$)|\s+(?:and|or|with|in|into|to|on|onto|over|until|till|from|at|together)\b")
 _BARE = re.compile(r"\b(to|into|onto|in|on|over|from|with|of)\s+(?=[\w'&-]+_)")
 
 
 @dataclass(frozen=True)
-class Told:
-    """A clause: ``text`` has names in one word; ``motion`` is what its second word stands for, where that is a verb.
+class PlainClause:
+    """A clause as a plain sentence: ``original`` as it was written, ``text`` with names in one word.
 
-    ``besides`` are the verbs before the first of ``text`` that are done to the same things: "peel, core and chop".
+    ``motion`` is what the second word of ``text`` stands for, where that is a verb. ``besides`` are the verbs before
+    the first of ``text`` that are done to the same things: "peel, core and chop".
     """
 
-    clause: str
+    original: str
     text: str
     motion: str | None = None
     besides: tuple[str, ...] = ()
 
-    def with_stand_ins(self, places: Collection[int]) -> Told:
+    def with_stand_ins(self, places: Collection[int]) -> PlainClause:
         """Return the same where the verbs at these ``places`` are one that no parser takes for a noun."""
         count = itertools.count()
         text = _YOU.sub(lambda you: f"{you[1]} {VERB}" if next(count) in places else you[0], self.text)
@@ -82,23 +83,23 @@ class Told:
 
 
 @dataclass(frozen=True)
-class Clauses:
+class ClauseReader:
     """Reads texts for the ``verbs`` and the ``names`` of one FOON."""
 
     verbs: Verbs
     names: tuple[str, ...] = ()
 
-    def of(self, text: str) -> list[Told]:
+    def of(self, text: str) -> list[PlainClause]:
         """Return the clauses of ``text`` that have words, in their order."""
         clauses = (part.strip(" ;") for part in _CLAUSES.split(text))
-        return [self._told(clause) for clause in clauses if any(map(str.isalpha, clause))]
+        return [self._plain(clause) for clause in clauses if any(map(str.isalpha, clause))]
 
-    def _told(self, clause: str) -> Told:
+    def _plain(self, clause: str) -> PlainClause:
         plain = plain_speech(clause[match.end() :] if (match := _FIRST.match(clause)) else clause).strip(" .,!?:")
         plain = _KEPT.sub(self._as_done, plain)
         first = _BEGINS.match(plain)
         if first is None or not self._is_verb(first[1]):
-            return Told(clause, _JOINED.sub(self._with_subject, self._with_names_as_words(plain)))
+            return PlainClause(clause, _JOINED.sub(self._with_subject, self._with_names_as_words(plain)))
         plain = plain[first.start(1) :]
         besides, plain = self._chained(plain)
         first = _BEGINS.match(plain) or first
@@ -108,7 +109,7 @@ class Clauses:
         let = first[1].lower() in _LEFT_TO_ITSELF
         article = " the" if self._begins_with_a_thing(rest) and not let else ""
         said = f"You {first[1].lower()}{article}{_JOINED.sub(self._with_subject, rest)}"
-        return Told(clause, said, motion[0].lower() if motion else None, besides)
+        return PlainClause(clause, said, motion[0].lower() if motion else None, besides)
 
     def _chained(self, plain: str) -> tuple[tuple[str, ...], str]:
         """Split the verbs off that come before another with the same objects; of alternatives the first is told."""

@@ -15,7 +15,7 @@ from typing import Any
 
 from foon_kg.food import motions, tables
 from foon_kg.food.lists import word_list
-from foon_kg.language.clauses import Clauses, Told
+from foon_kg.language.clauses import ClauseReader, PlainClause
 from foon_kg.language.drafting.scene import PRONOUNS
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.language.nouns import NAMES, governed, is_vessel, named_by, spoken
@@ -58,37 +58,37 @@ def with_actions(narration: Narration, verbs: Verbs, names: Iterable[str] = ()) 
     ``verbs`` are those of a FOON, ``names`` its names; one of several words is one thing (macaroni and cheese). Raises
     :class:`~foon_kg.model.errors.UsageError` where the extra ``text`` is not installed.
     """
-    reader = Clauses(verbs, tuple(names))
-    clauses = [(sentence, told) for sentence in narration.sentences for told in reader.of(sentence.text)]
+    reader = ClauseReader(verbs, tuple(names))
+    clauses = [(sentence, clause) for sentence in narration.sentences for clause in reader.of(sentence.text)]
     actions: list[NarratedAction] = []
-    for sentence, told in clauses:
-        found = _read(told, verbs) if len(told.clause) <= _LONGEST else []
-        said = told.clause[:_LONGEST]
+    for sentence, clause in clauses:
+        found = _read(clause, verbs) if len(clause.original) <= _LONGEST else []
+        said = clause.original[:_LONGEST]
         actions += [replace(action, said=said, timing=sentence.timing) for action in found or [NarratedAction("")]]
     return replace(narration, actions=tuple(actions))
 
 
-def _read(told: Told, verbs: Verbs) -> list[NarratedAction]:
+def _read(clause: PlainClause, verbs: Verbs) -> list[NarratedAction]:
     """Return the actions of a clause."""
-    found = list(_actions(_parsed(told), verbs))
+    found = list(_actions(_parsed(clause), verbs))
     if found:
-        found[:0] = [replace(found[0], verb=verb, results=(), product=None) for verb in told.besides]
-    return _joined(found, told.clause, verbs)
+        found[:0] = [replace(found[0], verb=verb, results=(), product=None) for verb in clause.besides]
+    return _joined(found, clause.original, verbs)
 
 
-def _parsed(told: Told) -> Token:
+def _parsed(clause: PlainClause) -> Token:
     """Return the clause as it is parsed; a verb that the parser took for a noun is put back by one that it knows."""
-    text, names = told.for_parser()
+    text, names = clause.for_parser()
     parsed = _pipeline()(text)
     mistaken = {place for place, token in enumerate(_after_you(parsed)) if token.pos_ != "VERB"}
     verbs = dict(enumerate(found[1] for found in _YOU.finditer(text)))
     if mistaken:
-        told = told.with_stand_ins(mistaken)
-        text, names = told.for_parser()
+        clause = clause.with_stand_ins(mistaken)
+        text, names = clause.for_parser()
         parsed = _pipeline()(text)
     called = {place: verbs[place] for place in mistaken if place in verbs}
-    if told.motion:
-        called[0] = told.motion
+    if clause.motion:
+        called[0] = clause.motion
     after = dict(enumerate(_after_you(parsed)))
     parsed.user_data["names"] = names
     parsed.user_data["called"] = {after[place].i: verb for place, verb in called.items() if place in after}

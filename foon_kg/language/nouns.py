@@ -13,6 +13,7 @@ from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.states import state_in
 
 BEFORE_A_CLAUSE = frozenset({"after", "before", "by", "while"})
+"""Prepositions before what is done (after mixing), so that a verb in -ing behind them names no thing."""
 
 NAMES = frozenset({"NOUN", "PROPN", "PRON", "X"})
 _PARTS_OF_A_NAME = frozenset({"compound", "amod", "nmod", "npadvmod"})
@@ -108,8 +109,10 @@ def is_vessel(name: str) -> bool:
 
 
 def plural(word: str) -> str:
-    """Return the plural of a word."""
-    return f"{word[:-1]}ies" if word.endswith("y") else f"{word}es" if word.endswith(("ch", "sh", "s")) else f"{word}s"
+    """Return the plural of a word: patties, trays, dishes, boxes, cubes."""
+    if word.endswith("y") and word[-2:-1] not in set("aeiou"):
+        return f"{word[:-1]}ies"
+    return f"{word}es" if word.endswith(("ch", "sh", "s", "x")) else f"{word}s"
 
 
 def as_result(name: str) -> str | None:

@@ -184,7 +184,7 @@ def _done_before(done: str, name: str) -> tuple[tuple[str, ...], str] | None:
 
 
 def _is_listed(name: str) -> bool:
-    """Say whether the table lists the name, perhaps less a word for its sort, and no word of it is a measure."""
+    """Return whether the table lists the name, perhaps less a word for its sort, and no word of it is a measure."""
     sort, _, rest = name.partition(" ")
     listed = food_groups().places
     known = canonical(name) in listed or (sort.lower() in _SORTS and canonical(rest) in listed)
@@ -207,7 +207,7 @@ def _done(text: str) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
 
 
 def _is_state(phrase: str) -> bool:
-    """Say whether a phrase is a state that hands make, with an adverb at most."""
+    """Return whether a phrase is a state that hands make, with an adverb at most."""
     classes = state_classes()
     adverb, _, state = phrase.rpartition(" ")
     place = classes.class_of.get(canonical(state))

@@ -16,7 +16,7 @@ from foon_kg.model.narration import Mention
 
 _BULLET = r"\s*(?:[-*\u2022]\s*)?"
 _AMOUNT = re.compile(rf"{_BULLET}(?:\d+(?!\s*[.)\d]\s)|[¼½¾⅓⅔⅛]|\d)(?![.)]\s)")
-_TITLE_AND_MORE, _LONGEST_TITLE = 2, 8
+_TITLE_AND_MORE, _LONGEST_TITLE = 2, 8  # lines, words
 _STEP = re.compile(rf"{_BULLET}(?:step\s*)?\d+\s*[.):]\s", re.IGNORECASE)
 
 

@@ -7,13 +7,11 @@ from dataclasses import dataclass
 from typing import Literal, Self, get_args
 
 from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.knowledge import UNLIKE
 from foon_kg.model.node_json import node_from_json, node_to_json
 from foon_kg.model.nodes import ObjectNode
 
 SubstitutionKind = Literal["object", "state", "motion", "tool", "vessel"]
-
-UNLIKE = 0.1
-"""Below this confidence a food is like nothing that is known."""
 
 _NOTHING = frozenset[str]()
 

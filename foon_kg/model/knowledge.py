@@ -86,6 +86,13 @@ class Vocabulary:
         return {row.motion: row for row in self.gatherings}
 
 
+UNLIKE = 0.1
+"""Below this confidence a food is like nothing that is known: less than one cook in ten takes it."""
+
+FAIR = 0.5
+"""From this confidence on a cook would rather accept a food for another one than not."""
+
+
 @dataclass(frozen=True, order=True)
 class Neighbour:
     """A known name, and how sure we are (0 to 1) that a cook would accept it for the name asked."""

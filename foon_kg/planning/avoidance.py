@@ -11,10 +11,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
+from foon_kg.food import words
 from foon_kg.model import ObjectNode, Recipe
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
-from foon_kg.plans.kitchen import Kitchen, words
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.taxonomy import food_taxonomy
 
@@ -48,7 +49,7 @@ def kitchen_without(kitchen: Kitchen, avoided: Sequence[str]) -> Kitchen:
 
 
 def names_avoided(node: ObjectNode, avoided: Sequence[str]) -> bool:
-    """Say whether ``node`` is an avoided food or says that it contains one."""
+    """Return whether ``node`` is an avoided food or says that it contains one."""
     return any(why_avoided(name, avoided) is not None for name in (node.label, *node.ingredients))
 
 

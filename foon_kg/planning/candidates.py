@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from foon_kg.integration.methods import TeachingView
 from foon_kg.model import Goal, Recipe
 from foon_kg.planning.batch import Cook, Question
-from foon_kg.planning.planner import Planner, _Question
+from foon_kg.planning.planner import PlannedRecipe, Planner
 from foon_kg.planning.recipes import ReadRecipe
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.search import Enumeration, ReferenceTree, SearchProblem, enumerate_paths, retrieve, with_gaps_of
@@ -43,5 +43,5 @@ def reference_question(planner: Planner, recipe: Recipe) -> tuple[Goal, SearchPr
     """
     taken = planner.plan(recipe).reference.goal
     goal = next(goal for goal in planner.view.goals() if goal.node == taken)
-    wanted = _Question(planner, recipe).wanted(goal.ingredients)
+    wanted = PlannedRecipe(planner, recipe).wanted(goal.ingredients)
     return goal, planner.references.problem(goal, wanted)

@@ -40,7 +40,9 @@ def spread_over(make: Callable[[], Callable[[T], A]], items: Iterable[T], addres
         _check(client, address)
         given = client.scatter(make, broadcast=True, hash=False)
         threads = sum(client.nthreads().values())
-        yield _told(in_order(partial(client.submit, _work, given, pure=False), items, max(threads, _LEAST_THREADS)))
+        yield _with_reason(
+            in_order(partial(client.submit, _work, given, pure=False), items, max(threads, _LEAST_THREADS))
+        )
 
 
 @contextmanager
@@ -77,7 +79,8 @@ def _check(client: Client, address: str) -> None:
         )
 
 
-def _told(found: Iterator[A]) -> Iterator[A]:
+def _with_reason(found: Iterator[A]) -> Iterator[A]:
+    """Yield what is ``found``; raises FoonError with what to do where all workers were lost."""
     from distributed import KilledWorker  # noqa: PLC0415 - an extra
     from distributed.client import FutureCancelledError  # noqa: PLC0415 - the same
 

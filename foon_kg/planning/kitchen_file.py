@@ -33,8 +33,14 @@ _PLACED = re.compile(
 )
 _BULLET = re.compile(r"^[-*•]\s+")
 _CLOSE = 3
+"""How many names are proposed for one that the FOON does not know."""
+
 _SPELLED_ALIKE = 0.75
+"""From how much likeness on (0 to 1, of letters) a name may be a slip of another."""
+
 _ALIKE = 0.3
+"""From how much confidence on a food is worth to be proposed: where none is spelled alike, one that is like it."""
+
 _FIELDS = ("foods", "utensils")
 LONGEST_THING = 300
 """Characters of one thing: to find out what a longer text may mean takes longer than anybody waits."""

@@ -10,25 +10,25 @@ from foon_kg.food import singular
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.operators import LIKE_AT_ALL
 from foon_kg.model.errors import UsageError
+from foon_kg.model.knowledge import FAIR
 from foon_kg.model.names import canonical
 from foon_kg.model.recent import Recent
 from foon_kg.planning.settings import Substitute
 from foon_kg.similarity import Similarity
 from foon_kg.similarity.food import FoodSimilarity
 
-FAIR = 0.5
-"""From this confidence on a cook would rather accept a food for another one than not."""
-
 MOST_LIKES = 6
 """How many foods are asked for evidence in the place of one that has none."""
 
 MOST_KEPT = 8192
+"""For how many foods rows of confidences are kept."""
+
 _READ = 0.97
 """How sure it is that a word of a recipe means the food as which the table of foods reads it."""
 
 
 class FoodLikes:
-    """Answers which known foods can stand for a food. Rows of confidences are kept for many recipes."""
+    """Which known foods can stand for a food. Rows of confidences are kept for many recipes."""
 
     def __init__(self, similarity: Similarity, foods: Iterable[str], substitutes: Sequence[Substitute] = ()) -> None:
         self.similarity = similarity
@@ -140,7 +140,7 @@ class RecipeLikes:
         name = singular(food)
         found = self._likes.likes(name)
         read = self._read.get(name)
-        if not read or name in {canonical(food) for food in self._likes.chosen}:
+        if not read or canonical(food) in self._likes.chosen:
             return found
         return (*((meant, _READ) for meant in read), *(pair for pair in found if pair[0] not in read))
 
@@ -151,7 +151,7 @@ class RecipeLikes:
         return [pair for pair in found if pair[0] != chosen]
 
     def meet(self, foods: Iterable[str]) -> None:
-        """Work out what :meth:`in_slot` answers of ``foods`` that dishes have and that are unlike all of the recipe's.
+        """Work out what :meth:`in_slot` returns of ``foods`` that dishes have and that are unlike all of the recipe's.
 
         Of a part of a FOON they are not among the known ones.
         """

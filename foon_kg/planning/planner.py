@@ -37,12 +37,13 @@ from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.unheeded import with_unheeded
 from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
+from foon_kg.model.knowledge import FAIR
 from foon_kg.planning.attempt import Attempt
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.planning.considered import Considered, nearer_goals, other_goals
 from foon_kg.planning.dish_names import as_told, eased, has_its_name, made_as, refuse_unknown_type
 from foon_kg.planning.explanation import Explanation, explanations
-from foon_kg.planning.likes import FAIR, FoodLikes, RecipeLikes
+from foon_kg.planning.likes import FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
@@ -122,21 +123,16 @@ class Planner:
 
     def plan(self, recipe: Recipe) -> PlanResult:
         """Return the task tree that makes ``recipe``; raises as :func:`plan` does."""
-        return self._told(_Question(self, recipe))
-
-    def explain(self, recipe: Recipe) -> tuple[PlanResult, tuple[Explanation, ...]]:
-        """Return the tree of ``recipe``, and why every required food is made as it is; raises as :func:`plan` does."""
-        result, why, _ = self.reasons(recipe)
-        return result, why
+        return self._finished(PlannedRecipe(self, recipe))
 
     def reasons(self, recipe: Recipe) -> Reasons:
-        """Return what :meth:`explain` does of ``recipe``, and the other dishes that were considered.
+        """Return the tree of ``recipe``, why its foods are made as they are, and what else was considered.
 
-        Raises as it does.
+        Raises as :func:`plan` does.
         """
-        question = _Question(self, recipe)
+        question = PlannedRecipe(self, recipe)
         others = other_goals(question.fits, question.best.fit, recipe.dish_type)
-        return Reasons(self._told(question), explanations(question.best, question.likes), tuple(others))
+        return Reasons(self._finished(question), explanations(question.best, question.likes), tuple(others))
 
     def reference_tree(self, recipe: Recipe, goal: ObjectNode) -> tuple[KnownUnit, ...]:
         """Return the reference tree of ``goal`` for ``recipe``, as it was recorded.
@@ -146,10 +142,11 @@ class Planner:
         found = next((one for one in self.view.goals() if one.node == goal), None)
         if found is None:
             raise UsageError(f"this FOON has no goal {goal}", hint="Give the FOON of the plan with --files.")
-        question = _Question(self, recipe)
+        question = PlannedRecipe(self, recipe)
         return self.references.tree(found, question.wanted(found.ingredients)).units
 
-    def _told(self, question: _Question) -> PlanResult:
+    def _finished(self, question: PlannedRecipe) -> PlanResult:
+        """Return the best tree with its measures and progress lines, which no other one needs."""
         best = question.best
         ready = best.cooking.ready
         amounts = amounts_asked(question.recipe)
@@ -167,8 +164,8 @@ class Planner:
         )
 
 
-class _Question:
-    """One recipe being planned."""
+class PlannedRecipe:
+    """One recipe being planned: its foods as they are understood, and the dishes that it may be made after."""
 
     def __init__(self, planner: Planner, recipe: Recipe) -> None:
         self.planner = planner

@@ -24,7 +24,10 @@ A = TypeVar("A")
 A_co = TypeVar("A_co", covariant=True)
 
 _MOST_AT_ONCE = 8
+"""So many items are handed to a process at a time, at most: of few each gets some, and the last one ends soon."""
+
 _ROUNDS = 4
+"""So many shares for each process are under way: it need not wait for the next one."""
 
 
 @contextmanager
@@ -37,7 +40,7 @@ def spread(make: Callable[[], Callable[[T], A]], items: Iterable[T], jobs: int) 
     workers = min(jobs, len(items)) if isinstance(items, Sized) else jobs
     pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(make,))
     try:
-        yield _told(in_order(lambda share: pool.submit(_work, share), items, workers))
+        yield _with_reason(in_order(lambda share: pool.submit(_work, share), items, workers))
     except KeyboardInterrupt:
         for process in active_children():
             process.terminate()  # else each would end its share first
@@ -70,7 +73,8 @@ def in_order(submit: Callable[[list[T]], Share[list[A]]], items: Iterable[T], wo
         yield from shares.popleft().result()
 
 
-def _told(found: Iterator[A]) -> Iterator[A]:
+def _with_reason(found: Iterator[A]) -> Iterator[A]:
+    """Yield what is ``found``; raises FoonError with what to do where a process was ended."""
     try:
         yield from found
     except BrokenProcessPool as error:

@@ -10,14 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
+from foon_kg.food import singular
 from foon_kg.model import Goal, KnownUnit, ObjectNode
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.knowledge import KnowledgeView
+from foon_kg.model.knowledge import FAIR, KnowledgeView
 from foon_kg.model.node_json import node_to_json
 from foon_kg.model.tree import leaves_of
-from foon_kg.planning.likes import FAIR
-from foon_kg.plans.kitchen import singular
 from foon_kg.plans.stock import StockedKitchen
 from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
 from foon_kg.search.gaps import ABSENT, gap_cost, mixtures
@@ -224,7 +223,7 @@ class Larder:
         return round(sum(sure) / len(names), 2) if names else 0.0
 
     def _is_absent(self, utensil: str, node: ObjectNode) -> bool:
-        """Say whether nobody has ``utensil``; storage comes with the food that is in it."""
+        """Return whether nobody has ``utensil``; storage comes with the food that is in it."""
         if not self.kitchen.is_utensil(utensil) or (self.kitchen.is_storage(utensil) and self.names_in(node)):
             return False
         states = node.states if utensil == node.label else ()

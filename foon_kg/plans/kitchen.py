@@ -19,8 +19,6 @@ from foon_kg.food import State, Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 
-__all__ = ["Kitchen", "LeafFault", "is_place", "singular", "words"]
-
 _PLACE_KEPT_AS_STATE = re.compile(r"\[[^\]]*\]$")
 _INSIDE = frozenset({None, "in", "from"})
 
@@ -62,7 +60,7 @@ class Kitchen:
 
         Raises ReadError where a table that a user named cannot be read.
         """
-        return _from_tables(tables(), None if free_foods is None else frozenset(map(_fold, free_foods)))
+        return _from_tables(tables(), None if free_foods is None else frozenset(map(folded, free_foods)))
 
     def with_foods(self, names: Iterable[str]) -> Kitchen:
         """Return the kitchen in which ``names`` are foods: a recipe may ask for a cooking spray."""
@@ -117,7 +115,7 @@ class Kitchen:
 
     def is_free(self, label: str) -> bool:
         """Whether the food ``label`` may be used without having been asked for (C5)."""
-        return _fold(label) in self.free_foods
+        return folded(label) in self.free_foods
 
     def is_start_state(self, label: str, state: str) -> bool:
         """Whether the food ``label`` is sold, or grows, in ``state``.
@@ -126,7 +124,7 @@ class Kitchen:
         is sold ground because pepper is, and so are ground beef and garlic powder. A place that the loader kept as a
         state (``on [stem]``) is no state of the food and counts as a start.
         """
-        state = _fold(state)
+        state = folded(state)
         if state in self.start_states or is_place(state):
             return True
         return not self.sold_so.get(state, frozenset()).isdisjoint(words(label))
@@ -141,7 +139,7 @@ class Kitchen:
 
     def is_running(self, node: ObjectNode) -> bool:
         """Whether a utensil node is on or hot; the fridge always is and does not count."""
-        return singular(node.label) not in self.always_on and any(_fold(s) in self.running_states for s in node.states)
+        return singular(node.label) not in self.always_on and any(folded(s) in self.running_states for s in node.states)
 
     def foods_in(self, node: ObjectNode) -> tuple[str, ...]:
         """Return the ingredients of ``node`` that are foods (``potato contains {packet}`` holds none)."""
@@ -206,7 +204,7 @@ class Kitchen:
         return self.leaf_fault(node, beside) in {None, LeafFault.RUNNING}
 
     def _rests(self, label: str, state: str) -> bool:
-        state = _fold(state)
+        state = folded(state)
         if state in self.rest_states or is_place(state):
             return True
         return state in self.running_states and singular(label) in self.always_on
@@ -217,8 +215,9 @@ def is_place(state: str) -> bool:
     return _PLACE_KEPT_AS_STATE.search(state) is not None
 
 
-@functools.lru_cache(maxsize=1 << 16)
-def _fold(name: str) -> str:
+@functools.lru_cache(maxsize=1 << 16)  # a search asks it of every state of every node
+def folded(name: str) -> str:
+    """Return a name or a state in small letters, with single spaces."""
     return " ".join(name.lower().split())
 
 

@@ -14,10 +14,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple, Self
 
+from foon_kg.food import singular
 from foon_kg.model import FunctionalUnit, ObjectNode, RequiredIngredient
 from foon_kg.model.json_fields import Fields, JsonObject
 from foon_kg.model.tree import Mention, TreeUnit
-from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.kitchen import Kitchen
 
 _KITCHEN = -1
 

@@ -30,12 +30,11 @@ WITHOUT_HANDS = word_list("without hands")
 UNTIMED = 4.0
 """Seconds for a step where nothing at all was ever timed: the median of the public FOON's sightings."""
 
-
 MOST_TRIES = 400
 """How many orders are tried at most to better a schedule."""
 
 _HANDS = ""  # beside the names of utensils: what nearly every step uses
-_ROUNDING = 1e-9
+_ROUNDING = 1e-9  # sums of seconds in another order differ in their last digits
 _Span = tuple[float, float]
 
 
@@ -168,6 +167,12 @@ def _how_many(used: Sequence[frozenset[str]], leaves: Sequence[ObjectNode], hand
 
 @dataclass(frozen=True)
 class _Work:
+    """The steps of a tree as a schedule asks of them, each by its place.
+
+    ``before`` are the steps that one waits for, ``tails`` how many seconds it and the longest way of steps behind it
+    take, ``followers`` how many wait for it; ``uses`` are the things that it has for itself, of which ``there`` counts.
+    """
+
     known: Sequence[Duration | None]
     seconds: Sequence[float]
     handless: Sequence[bool]

@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import NoTreeError
+from foon_kg.model.knowledge import FAIR
 from foon_kg.plans.kitchen import Kitchen
 
 _TO_DO = ("get ", "buy or make ", "buy ")
@@ -23,10 +24,6 @@ class ShortageError(NoTreeError):
     def __init__(self, message: str, *, missing: tuple[ObjectNode, ...], hint: str = "", code: str = "") -> None:
         super().__init__(message, hint=hint, code=code)
         self.missing = missing
-
-
-LIKE = 0.5
-"""From this confidence on a food at hand is proposed instead of a missing one."""
 
 
 def shortage(
@@ -48,7 +45,7 @@ def shortage(
 def _there_like(food: str, kitchen: Kitchen, alike: Callable[[str, str], float]) -> str:
     sure = [(alike(food, name), name) for name in kitchen.food_names]
     confidence, name = max(sure, key=lambda row: row[0], default=(0.0, ""))
-    return f", or ask for {name} instead ({confidence:.2f} like it)" if confidence >= LIKE else ""
+    return f", or ask for {name} instead ({confidence:.2f} like it)" if confidence >= FAIR else ""
 
 
 def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:

@@ -13,9 +13,10 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, fields, replace
 from typing import Self
 
+from foon_kg.food import singular
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
-from foon_kg.plans.kitchen import Kitchen, is_place, singular
+from foon_kg.plans.kitchen import Kitchen, folded, is_place
 
 ALWAYS_THERE = word_list("always there")
 """What is there though nobody names it: places, running water, and hands."""
@@ -140,7 +141,7 @@ class StockedKitchen(Kitchen):
         if not all(self._has_inside(name, node.label) for name in foods):
             return False
         comes_with_food = bool(foods) and self.is_storage(node.label)
-        if self.utensils_named is None or comes_with_food or _folded(node.label) in ALWAYS_THERE:
+        if self.utensils_named is None or comes_with_food or folded(node.label) in ALWAYS_THERE:
             return True
         return any(_stands_for(thing, node) for thing in self._utensils_called(node.label))
 
@@ -187,13 +188,9 @@ def _stands_for(thing: ObjectNode, utensil: ObjectNode) -> bool:
 
 
 def _says(thing: ObjectNode, state: str) -> bool:
-    return _folded(state) in map(_folded, thing.states)
+    return folded(state) in map(folded, thing.states)
 
 
 def _in_place(thing: ObjectNode, container: str | None) -> bool:
     """Whether ``thing`` may be what stands in ``container``; where one of them says no place, it may."""
-    return thing.container is None or container is None or _folded(thing.container) == _folded(container)
-
-
-def _folded(name: str) -> str:
-    return " ".join(name.lower().split())
+    return thing.container is None or container is None or folded(thing.container) == folded(container)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 
-from foon_kg.food import tables
+from foon_kg.food import singular, tables
 from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.teaching.derivation import frames_of
@@ -18,7 +18,7 @@ from foon_kg.integration.teaching.operators import Operators
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Participant, Sighting, Subgraph
 from foon_kg.model.errors import ReadError
 from foon_kg.model.knowledge import KnowledgeView, LikelyGoals, Neighbour, Vocabulary
-from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.confidences import nearest_of_each
 from foon_kg.store.vocabulary import FoodState, WordCounts, food_states

@@ -24,7 +24,7 @@ from foon_kg.store.snapshot import Snapshot
 
 def explain(asked, *substitutes):
     wishes = replace(SETTINGS, substitutes=tuple(Substitute(*pair) for pair in substitutes))
-    result, explanations = Planner(SNAPSHOT, wishes, SNAPSHOT.units).explain(asked)
+    result, explanations, _ = Planner(SNAPSHOT, wishes, SNAPSHOT.units).reasons(asked)
     return result, {one.want.object: one for one in explanations}
 
 
@@ -38,7 +38,7 @@ def printed(*explanations):
 @every_recipe
 def test_a_plan_is_the_same_explained_or_not(recipe):
     planner = Planner(SNAPSHOT, SETTINGS, SNAPSHOT.units)
-    assert planner.explain(recipe)[0].to_json() == planner.plan(recipe).to_json()
+    assert planner.reasons(recipe).result.to_json() == planner.plan(recipe).to_json()
 
 
 @examples(20)
@@ -46,7 +46,7 @@ def test_a_plan_is_the_same_explained_or_not(recipe):
 def test_what_is_said_is_what_the_tree_does(question):
     subgraphs, asked = question
     try:
-        result, explanations = Planner(Snapshot.of(subgraphs, KITCHEN), SETTINGS).explain(asked)
+        result, explanations, _ = Planner(Snapshot.of(subgraphs, KITCHEN), SETTINGS).reasons(asked)
     except NoTreeError:
         return
     assert [one.want for one in explanations] == list(dict.fromkeys(asked.ingredients))
@@ -150,7 +150,7 @@ def test_a_food_that_plays_a_line_and_is_made_apart_names_the_video_in_which_it_
     videos = [subgraph("salads", "salad", *SALAD_FROM_A_BOWL), subgraph("chopping", "vegetables", *CHOP_ONION)]
     wanted = (RequiredIngredient("onion", "chopped"), RequiredIngredient("salt", "granulated"))
     planner = Planner(Snapshot.of(videos, KITCHEN), SETTINGS)
-    result, (onion, _) = planner.explain(Recipe("salad", wanted))
+    result, (onion, _), _ = planner.reasons(Recipe("salad", wanted))
     assert "chop" in [unit.motion for unit in result.units]
     assert (onion.how, onion.videos) == ("played", ("chopping", "salads"))
     assert onion.passed_over == ()

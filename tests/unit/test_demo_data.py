@@ -11,10 +11,11 @@ from pathlib import Path
 
 import pytest
 
+from foon_kg.food import singular
 from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.loaders import ReadResult, read_path
 from foon_kg.model import DISH_TYPES, FunctionalUnit, ObjectNode, Subgraph
-from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.kitchen import Kitchen
 
 KITCHEN = Kitchen.default()
 DISHES = {"salad": 5, "omelette": 4, "drinks": 5, "soup": 4}

@@ -5,8 +5,9 @@ import pathlib
 
 import pytest
 
+from foon_kg.food import singular, words
 from foon_kg.model import ObjectNode
-from foon_kg.plans.kitchen import Kitchen, LeafFault, singular, words
+from foon_kg.plans.kitchen import Kitchen, LeafFault
 
 SHARED = pathlib.Path(__file__).resolve().parents[2] / ".." / "shared" / "data"
 KITCHEN = Kitchen.default()

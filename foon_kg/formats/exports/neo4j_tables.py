@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from foon_kg.food import singular
 from foon_kg.model import ObjectNode, Subgraph
 from foon_kg.model.names import canonical
-from foon_kg.plans.kitchen import singular
 from foon_kg.similarity.points import indexed_points
 from foon_kg.store.graph.movements import following, movements
 from foon_kg.store.graph.values import properties_of

@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import neo4j
 
+from foon_kg.food import singular, words
 from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Subgraph
 from foon_kg.model.drafted import MOST_OF_A_DISH_TYPE, DraftedRecipe, Lesson
 from foon_kg.model.errors import SchemaError, TooManyUnitsError
 from foon_kg.model.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
-from foon_kg.plans.kitchen import Kitchen, singular, words
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.confidences import nearest_of_each
 from foon_kg.store.graph.edition import Edition

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from itertools import chain
 from typing import Any
 
-from foon_kg.model.knowledge import Gathering, MadeBy, SeenAs, Vocabulary
+from foon_kg.food import words
+from foon_kg.model.knowledge import FAIR, Gathering, MadeBy, SeenAs, Vocabulary
 from foon_kg.model.names import canonical
-from foon_kg.plans.kitchen import words
 from foon_kg.similarity import Confidences, food_similarity
 from foon_kg.similarity.confidences import LEAST
 from foon_kg.similarity.points import question
@@ -23,7 +23,7 @@ from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.equivalents import FIRST, MORE
 from foon_kg.store.graph.rows import StateRow, WordsForRow
 
-FAIR, BEST = 0.5, 4
+BEST = 4
 """Where a food has a fair equivalent, so many of its best are wanted: the one chosen and three alternatives."""
 
 MOST = FIRST * MORE

@@ -13,9 +13,10 @@ from functools import partial
 from itertools import chain
 from typing import Any
 
+from foon_kg.food import singular
 from foon_kg.model import FunctionalUnit, ObjectNode, Subgraph
 from foon_kg.model.names import canonical
-from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.points import indexed_points
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph import statements as cypher
