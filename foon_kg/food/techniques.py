@@ -89,12 +89,13 @@ class Foods:
 
         ``facts`` are what the table of foods says of it.
         """
-        if self.state and not all(_is_so(state, states) for state in self.state.split("&")):
+        if self.state and not all(is_so(state, states) for state in self.state.split("&")):
             return False
         return all(_holds(term, label, facts, around) for term in self.terms)
 
 
-def _is_so(state: str, states: Iterable[str]) -> bool:
+def is_so(state: str, states: Iterable[str]) -> bool:
+    """Return whether what a row asks for is among ``states``; with a ``!`` before it, whether it is not."""
     return state[1:] not in states if state.startswith("!") else state in states
 
 

@@ -9,10 +9,9 @@ from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.goals.asked import CARRIES, SEASONS
 from foon_kg.integration.joining.batters import is_thin
-from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.layouts import Layout
 from foon_kg.integration.joining.spots import Spot
-from foon_kg.integration.teaching.frames import Frame, Line, Stage
+from foon_kg.integration.teaching.frames import Frame
 
 _MOST_KEPT = 2048
 """For how many dishes this is kept: all of an annotated FOON (111 videos have 106 goals), a bound for a drafted one."""
@@ -115,7 +114,7 @@ class Recorded:
     @cached_property
     def heats(self) -> bool:
         """Whether anything of it is heated or warmed."""
-        return any(not spot.stage.does.isdisjoint(HEATS) for spot in self.layout.spots)
+        return any(spot.stage.heats for spot in self.layout.spots)
 
     @cached_property
     def bakes(self) -> bool:
@@ -201,15 +200,10 @@ class Recorded:
         for spot in self.layout.spots:
             if spot.side:
                 continue
-            if _adds_line(spot.stage):
+            if spot.stage.lines:
                 return False  # more than the base is there by now
             foods = (self.known.foods.food(slot.food) for slot in spot.stage.slots)
             there += [food for food in foods if not food.is_a("fat")]
-            if there and not spot.stage.does.isdisjoint(HEATS):
+            if there and spot.stage.heats:
                 return all(food.is_a(*word_list("carries what is stacked")) for food in there)
         return False
-
-
-def _adds_line(stage: Stage) -> bool:
-    """Return whether something that was made apart comes in at ``stage``."""
-    return any(isinstance(add, Line) for add in stage.adds)

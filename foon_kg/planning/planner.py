@@ -23,8 +23,8 @@ from foon_kg.goals.choice import Fit, fits, refusals, shortlisted
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.composing.apart import apart
 from foon_kg.integration.composing.called import Called, arranged
+from foon_kg.integration.composing.drunk import can_be_blended, can_be_warmed
 from foon_kg.integration.composing.parts import Part, parts_of
-from foon_kg.integration.composing.warmed import can_be_blended, can_be_warmed
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.joining.course import Plan
 from foon_kg.integration.joining.joiners import Joiners

@@ -11,13 +11,13 @@ from integration.school import planned
 from integration.told import KITCHEN, snapshot_of
 
 from foon_kg.food import tables
-from foon_kg.integration.composing.bodies import made_apart
 from foon_kg.integration.composing.coated import coated_alone, coated_apart
+from foon_kg.integration.composing.drunk import garnished, stirred
 from foon_kg.integration.composing.folded import folded, is_folded
 from foon_kg.integration.composing.parts import baked_at_last
 from foon_kg.integration.composing.pots import is_never_heated, unheated, unmixed
 from foon_kg.integration.composing.poured_over import dressed_apart
-from foon_kg.integration.composing.warmed import garnished, stirred
+from foon_kg.integration.composing.stacked import cooked_apart
 from foon_kg.integration.making.serving import Serving
 from foon_kg.integration.teaching.frames import Line
 from foon_kg.model import Recipe, RequiredIngredient
@@ -141,7 +141,7 @@ def test_bread_lies_below_and_above():
 
 def laid(*foods, title="burger"):
     line = Line((stage("", set(), vessel="plate"),))
-    return told(*made_apart(line, joins_at(line, 0, *foods), frozenset(title.split()), tables(), grilled=False))
+    return told(*cooked_apart(line, joins_at(line, 0, *foods), frozenset(title.split()), tables(), grilled=False))
 
 
 def test_a_mass_is_mixed_shaped_and_fried_and_what_is_fried_for_it_by_itself():

@@ -11,13 +11,15 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.parted import PART, comes_apart, parts_in
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
+from foon_kg.integration.composing.assigning import MAIN, line_told
 from foon_kg.integration.composing.components import Side, sides_of
-from foon_kg.integration.composing.dealing import MAIN, line_told
 from foon_kg.integration.composing.techniques import technique_for
 from foon_kg.integration.preparing.preparation import SECOND, Want
 from foon_kg.model import Recipe
 
 _PARTED = 5 * SECOND
+"""Above this are the numbers of the second parts of opened foods."""
+
 WHOLE = "whole"
 """The plan of a technique that is none for a dish whose parts a recipe tells apart."""
 
@@ -46,6 +48,7 @@ def apart(
     foods; ``known`` are the tables; ``baked``: it comes out of an oven.
     """
     foods = tuple(_in_parts(wants, known))
+    # eggs are separated only where something asks for the foam: the whites beaten stiff for nothing are no dish
     found = _parted(foods, recipe, dishes, recorded, baked=baked)
     if foods == tuple(wants) or _has_foam(found):
         return found

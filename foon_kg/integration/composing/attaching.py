@@ -11,11 +11,12 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.techniques import NOWHERE, works
 from foon_kg.integration.composing.components import Side, are
 from foon_kg.integration.composing.techniques import carried_out, stage_of
-from foon_kg.integration.joining.course import COATS, HEATS, MIXES
+from foon_kg.integration.joining.course import COATS, MIXES
 from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
 from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot, is_ladled, only_carries, spots_of
 from foon_kg.integration.teaching.frames import Line, Stage
 
+# where foods of a component are before its line is made: they join no stage of the dish
 _NOWHERE = Spot(
     (), Stage((), "", frozenset(), (), "", "", "", "", "", (), -1), ("top", "never", False), side=False, after=()
 )
@@ -97,7 +98,7 @@ def _attached_to(line: Line, worked: Sequence[Stage], target: Stage, at: str) ->
     """Return a line with ``target`` after the last stage that shapes, or in the first or last one that mixes."""
     if at in {"mixed", "stewed", "tossed"}:
         mixing = worked[-1] if at == "tossed" else worked[0]
-        whole, changed = with_line(line, mixing, next(add for add in target.adds if isinstance(add, Line)))
+        whole, changed = with_line(line, mixing, target.lines[0])
         return whole, changed[id(mixing)], changed
     became: dict[int, Stage] = {}
     return _with_next(line, worked[-1], target, became), target, became
@@ -141,12 +142,12 @@ def _folded(
     if other is None:
         return None
     spot = other.spot
-    cold = list(itertools.takewhile(lambda stage: stage.does.isdisjoint(HEATS), (spot.stage, *spot.after)))
+    cold = list(itertools.takewhile(lambda stage: not stage.heats, (spot.stage, *spot.after)))
     mixing = next((one for one in reversed(cold) if not one.does.isdisjoint(MIXES) and not one.does >= COATS), None)
     became: dict[int, Stage] = {}
     if mixing is None:
-        (add,) = target.adds
-        whole, became = with_line(line, spot.stage, add if isinstance(add, Line) else Line((target,)))
+        add = target.lines[0] if target.lines else Line((target,))
+        whole, became = with_line(line, spot.stage, add)
         return whole, became[id(spot.stage)], became
     target = replace(target, vessel=mixing.vessel, relation=mixing.relation, label=mixing.label or target.label)
     return _with_next(line, mixing, target, became), target, became

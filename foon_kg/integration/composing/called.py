@@ -1,4 +1,8 @@
-"""A dish whose name says how its parts come together is made so, whatever its video does."""
+"""A dish whose name says how its parts come together is made so, whatever its video does.
+
+The order of the steps is that of a kitchen, and each finds what those before it have left: what is put on a dish and
+what is baked at last are known before its kind is asked, and that before what lies beside it or cooks in its pot.
+"""
 
 from __future__ import annotations
 
@@ -13,10 +17,9 @@ from foon_kg.food.named import Named
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
 from foon_kg.integration.composing.attaching import with_sides
-from foon_kg.integration.composing.bodies import made_apart
 from foon_kg.integration.composing.coated import coated_alone
 from foon_kg.integration.composing.components import Side
-from foon_kg.integration.composing.crowned import strewn_under, wedges_last
+from foon_kg.integration.composing.drunk import for_many, garnished, is_heated, stirred
 from foon_kg.integration.composing.folded import folded, is_folded
 from foon_kg.integration.composing.formed import formed, formed_within, is_formed
 from foon_kg.integration.composing.named import as_named
@@ -24,10 +27,11 @@ from foon_kg.integration.composing.parts import Part, baked_at_last, with_parts
 from foon_kg.integration.composing.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.composing.poured_over import dressed_apart
 from foon_kg.integration.composing.pureed import blended_when_done, is_stewed, stewed
+from foon_kg.integration.composing.stacked import cooked_apart
 from foon_kg.integration.composing.swelling import boiled_there, is_eaten_with_its_bath, is_soaked_up
 from foon_kg.integration.composing.techniques import as_a_way_says, carried_out
 from foon_kg.integration.composing.thickened import sauce_apart
-from foon_kg.integration.composing.warmed import for_many, garnished, is_heated, stirred
+from foon_kg.integration.composing.toppings import strewn_under, wedges_last
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.teaching.frames import Line
 
@@ -63,8 +67,13 @@ class Called:
         return (*sorted(self.name_words.difference(title)), *title)
 
     def has(self, name: str) -> bool:
-        """Whether what ``name`` says holds of one of its dishes: a field of :class:`~foon_kg.food.rows.Dish`."""
+        """Return whether what ``name`` says holds of one of its dishes: a field of :class:`~foon_kg.food.rows.Dish`."""
         return any(getattr(dish, name) for dish in self.dishes)
+
+    @property
+    def boils(self) -> bool:
+        """Whether it is a soup or the like: all of it boils in one pot, and is eaten with that."""
+        return not word_list("boils in the dish").isdisjoint(self.name_words)
 
     @property
     def drunk(self) -> bool:
@@ -95,6 +104,7 @@ def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: C
 
 
 def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
+    """Return how a dish is made without its components; see :func:`arranged` for the arguments."""
     if called.technique is not None:
         title_words = words(called.title)
         line, found = carried_out(called.technique, joins, title_words, known)
@@ -107,17 +117,17 @@ def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: 
         joins = strewn_under(line, joins, known)
     if is_folded(joins, called.folded):
         line, joins = folded(joins)
-    boiled = not word_list("boils in the dish").isdisjoint(called.name_words)
     beside = not any(map(called.has, ("stacked", "baked", "formed")))
     line, joins = (
         _drunk(line, joins, called, known)
         if called.drunk
-        else wedges_last(line, joins, spooned=boiled, slices_beside=beside)
+        else wedges_last(line, joins, spooned=called.boils, slices_beside=beside)
     )
     return _in_the_pot(line, joins, called, known)
 
 
 def _drunk(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a drink is made: heated or blended as it is called, where this FOON shows how, stirred, garnished."""
     if not is_heated(line) and called.warms:
         line, joins = as_a_way_says(line, joins, (), called.words, known, when="warmed")
     if called.blends:
@@ -129,10 +139,8 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
     """Return how what is heated in one vessel is made: fried in turn, thickened, stewed or blended."""
     line, joins = unmixed(line, joins)
     joins = fat_in_the_heat(joins)
-    boiled = not word_list("boils in the dish").isdisjoint(
-        called.name_words
-    )  # there flour is stirred into the fat in its turn
-    if not called.tin and not boiled and word_list("is called battered").isdisjoint(called.name_words):
+    # in a soup or stew flour is stirred into the fat in its turn; in a tin or a batter it is no sauce's
+    if not (called.tin or called.boils or not word_list("is called battered").isdisjoint(called.name_words)):
         line, joins = sauce_apart(line, joins)
     line, joins, one_pot = _stewed_or_smooth(line, joins, called, known)
     if is_formed(called.dishes, joins):
@@ -142,10 +150,11 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
 
 def _stewed_or_smooth(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> Arranged:
     """Return how what boils in the dish is done in it, be it blended then; as it is where nothing does."""
-    boiled, title = not word_list("boils in the dish").isdisjoint(called.name_words), words(called.title)
+    title = words(called.title)
     bathed = is_eaten_with_its_bath(joins, title, called.dish_type)
-    one_pot = boiled or bathed or is_soaked_up(joins, title) or is_stewed(called.title, called.dishes, joins, known)
-    if boiled and not bathed:
+    stewed_so = is_stewed(called.title, called.dishes, joins, known)
+    one_pot = called.boils or bathed or is_soaked_up(joins, title) or stewed_so
+    if called.boils and not bathed:
         line, joins = blended_when_done(line, joins, called.name_words)
     elif one_pot:
         line, joins = stewed(boiled_there(joins) if bathed else joins)
@@ -164,7 +173,7 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
     if is_never_heated(called.dishes, joins, known):
         line, joins = unheated(line, joins)
     if called.has("stacked"):
-        line, joins = made_apart(line, joins, called.name_words, known, grilled=called.has("grilled"))
+        line, joins = cooked_apart(line, joins, called.name_words, known, grilled=called.has("grilled"))
     elif called.has("coated") and not called.has("dressed"):
         line, joins = _coated(line, joins, called, known)
     return dressed_apart(line, joins) if called.has("dressed") else (line, joins)

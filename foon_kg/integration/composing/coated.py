@@ -25,6 +25,8 @@ _FINE = min(word_list("is called so when it is fine"))
 _THICK = min(word_list("is called so when it is beaten"))
 
 _POST = ("mix", "later", True)
+"""The post of what is mixed apart and fried then (:data:`~foon_kg.integration.joining.spots.Post`)."""
+
 _BESIDE = word_list("is served with what is fried")
 
 
@@ -111,7 +113,7 @@ def _raw_flesh(joins: Sequence[Join], kinds: Collection[str]) -> list[Join]:
 
 
 def _is_shaped(line: Line) -> bool:
-    return any("shape" in stage.does for one in _all(line) for stage in one.stages)
+    return any("shape" in stage.does for stage in line.all_stages())
 
 
 def _cooks_others(joins: Sequence[Join], flesh: Sequence[Join], known: Tables) -> bool:
@@ -202,11 +204,3 @@ def _frying_fat(joins: Sequence[Join]) -> list[Join]:
     """Return the fat in which it is fried: what is liquid, where any is."""
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     return [join for join in fats if join.want.facts.is_a("liquid")] or fats
-
-
-def _all(line: Line) -> list[Line]:
-    found = [line]
-    for stage in line.stages:
-        for add in stage.adds:
-            found += _all(add) if isinstance(add, Line) else []
-    return found

@@ -12,12 +12,12 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import singular, words
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import Around, Component, Foods, Technique, components
-from foon_kg.integration.composing.dealing import means, takes
+from foon_kg.food.techniques import Around, Component, Foods, Technique, components, is_so
+from foon_kg.integration.composing.assigning import means, takes
 from foon_kg.integration.preparing.preparation import SECOND, Want
 
 _HOLDS = ("baked", "dressed", "formed", "laid", "stacked", "tin")
-"""What of a dish a row may ask."""
+"""What of a dish a row of ``food/components.toml`` may ask: fields of :class:`~foon_kg.food.rows.Dish`."""
 
 
 @dataclass(frozen=True)
@@ -59,8 +59,8 @@ class _Finder:
         self.dish_type = dish_type
         self.title_words = title_words
         self.listed = {place: want for want in wants for place in want.places}
-        self.highest = 3 * SECOND
-        self.behind: set[int] = set()
+        self.highest = 3 * SECOND  # the number of the last second portion
+        self.behind: set[int] = set()  # the places right behind what comes on a cold dish
 
     def side(self, component: Component) -> Side | None:
         """Return the foods of a component, which are taken out of the rest; ``None`` where there is none."""
@@ -96,7 +96,7 @@ class _Finder:
 
     def _may_be(self, technique: Technique) -> bool:
         """Whether a dish of this type and title may have such a component."""
-        holds = all((name.lstrip("!") in self.held) is not name.startswith("!") for name in technique.dishes)
+        holds = all(is_so(name, self.held) for name in technique.dishes)
         typed = not technique.types or self.dish_type in technique.types
         return holds and typed and technique.never.isdisjoint(self.title_words)
 
@@ -115,7 +115,11 @@ class _Finder:
         return replace(want, number=self.highest)
 
     def _places(self, component: Component, around: Around) -> set[int]:
-        """Return the places in the recipe of the foods of a component."""
+        """Return the places in the recipe of the foods of a component.
+
+        A heading above them is surest, then one food that the recipe says is for it, then the food that such a thing is
+        made of; that something is listed twice tells least, and counts only where the dish is called so.
+        """
         said = self._said(component, around)
         if len(said) > 1 and _have(component.technique.needs, self._at(said), around):
             return said  # a heading stands above it

@@ -13,7 +13,9 @@ _BEAT = Stage((), "whisk", frozenset({"mix", "whip"}), ("whisk",), "mixing bowl"
 _PAN = replace(_BEAT, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spatula",))
 _PAN = replace(_PAN, vessel="frying pan", appliance="stove", source="heat")
 _SET = replace(_PAN, motion="cook", does=frozenset({"heat"}), tools=())
-_MELT = Phase((), "cook", _SET.does, (), "frying pan", "in", "stove", "heat", "", (), 0)  # after all the rest
+_MELT = Phase((), "cook", _SET.does, (), "frying pan", "in", "stove", "heat", "", (), 0)
+"""What melts on set eggs comes in its own turn: no other food of the pan is put in an order with it."""
+
 _FOLD = replace(_SET, motion="fold", does=frozenset({"shape"}), tools=("turner",), appliance="", source="")
 _TOP = replace(_BEAT, motion="", does=frozenset(), tools=(), vessel="plate", relation="on")
 

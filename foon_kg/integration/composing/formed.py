@@ -11,7 +11,6 @@ from foon_kg.food import Food, Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import CHOPPED, Dish
 from foon_kg.integration.bench import fineness
-from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.patterns import (
     BAKE,
     COOK,
@@ -103,7 +102,7 @@ def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Lin
     """
     mass = _Mass(joins, known)
     meets = mass.main[0].spot.stage if mass.main else None
-    if meets is None or meets.does.isdisjoint(HEATS) or "dry" in meets.does:
+    if meets is None or not meets.heats or "dry" in meets.does:
         return line, tuple(joins)
     mix, shape = fresh(MIX, replace(SHAPE, label=min(word_list("is called so in balls"))))
     own = [join for join in joins if mass.is_of_mass(join, alone=False)]
@@ -163,7 +162,7 @@ class _Mass:
         return named and join.want.facts.is_a(*word_list("is around a mass where a title names it"))
 
     def holds(self, join: Join) -> bool:
-        """Whether raw grain is shaped with the rest and done in the sauce, before which it is listed."""
+        """Return whether raw grain is shaped with the rest and done in the sauce, before which it is listed."""
         facts = join.want.facts
         early = bool(join.want.places) and min(join.want.places) < self.begin < math.inf
         return early and facts.kind in word_list("is done inside a mass") and not join.want.cooked
@@ -242,7 +241,7 @@ class _Mass:
         return bool(flour and eggs) and not others and max(flour) < min(fats, default=math.inf)
 
     def is_sauce(self, join: Join) -> bool:
-        """Whether a food is cooked around what was shaped."""
+        """Return whether a food is cooked around what was shaped."""
         facts = join.want.facts
         if facts.is_a("fat") or self.lies_on_it(join) or self.is_of_mass(join, alone=False):
             return False
@@ -258,7 +257,7 @@ class _Mass:
         return [*binds, liquids[0]] if binds and liquids else []
 
     def lies_on_it(self, join: Join) -> bool:
-        """Whether a food comes on what is done, or beside it."""
+        """Return whether a food comes on what is done, or beside it."""
         facts = join.want.facts
         if self._is_listed_before(join) or _is_listed_for_it(join):
             return False

@@ -8,7 +8,7 @@ from dataclasses import fields, replace
 from foon_kg.food import Tables
 from foon_kg.food.named import Named
 from foon_kg.integration.composing.techniques import stage_of
-from foon_kg.integration.joining.course import HEATS, WORKS
+from foon_kg.integration.joining.course import WORKS
 from foon_kg.integration.joining.patterns import line_with, with_replaced
 from foon_kg.integration.joining.spots import Join, only_carries, spots_of
 from foon_kg.integration.teaching.frames import Asked, Line, Stage
@@ -30,7 +30,7 @@ def _is_done(one: Named, joins: Sequence[Join], known: Tables) -> bool:
     """Whether a stage does it to one of the foods that it is for, before or after that is heated."""
     for join in joins:
         stages = (join.spot.stage, *join.spot.after)
-        hot = [place for place, stage in enumerate(stages) if not stage.does.isdisjoint(HEATS)]
+        hot = [place for place, stage in enumerate(stages) if stage.heats]
         works = [(place, stage.motion) for place, stage in enumerate(stages) if stage.motion]
         found = [place for place, motion in works if one.is_done_by(motion, known.motion(motion))]
         if one.is_of(join.want.label, join.want.facts) and len(one.in_time(found, hot)) >= one.times:
@@ -73,7 +73,7 @@ def _done(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tuple[
 
 def _when_done(line: Line) -> int | None:
     """Return the place in a line after all heating, and the cooling that follows; ``None`` where nothing heats it."""
-    places = [n for n, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)]
+    places = [n for n, stage in enumerate(line.stages) if stage.heats]
     if not places:
         return None
     place = places[-1] + 1

@@ -75,7 +75,7 @@ class _Parted:
         self.sweet = [want for want in self._are("sweetens a batter") if want not in self.fine]
         self.fats = [want for want in wants if want.facts.is_a("fat")]
         self.solid = self._are("is creamed")
-        self.numbers = 2 * SECOND
+        self.numbers = 2 * SECOND  # those of the components begin at 3 * SECOND, those of opened foods at 5 * SECOND
 
     def _are(self, words_of: str) -> list[Want]:
         return [want for want in self.wants if want.facts.is_a(*word_list(words_of))]
@@ -123,7 +123,10 @@ class _Parted:
         return singular(want.label) in self.repeated
 
     def _cover(self) -> tuple[Want, ...]:
-        """Return what is mixed and spread: fine sugar, or a second portion of sugar, with what is soft or creamed."""
+        """Return what is mixed and spread: fine sugar, or a second portion of sugar, with what is soft or creamed.
+
+        Cream cheese is the body of a cover only beside what makes a batter rise: else it is a cheesecake.
+        """
         leavened = any(want.facts.is_a("leaven") for want in self.wants)
         soft = self._are("body of a cover")[:1] if leavened else []
         sweet = self._sweet_of_a_cover(soft)
@@ -196,7 +199,8 @@ def _baked_with(stages: Sequence[Stage], part: Part) -> Stage | None:
 def _at_the_end(last: Stage, part: Part, adds: tuple[Line, ...]) -> list[Stage]:
     """Return the stages at which a part comes on what is done after the ``last`` one; on what is hot it would melt."""
     on_it = _stage(part.motion, "plate", adds)
-    return [_stage("cool down", "plate", ()), on_it] if last.step >= 0 else [on_it]
+    cooled = last.step < 0  # by another part: those stages are of no video
+    return [on_it] if cooled else [_stage("cool down", "plate", ()), on_it]
 
 
 def _slot(want: Want, part: Part, mixing: Stage | None) -> Slot | None:

@@ -9,7 +9,6 @@ from dataclasses import replace
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
-from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import NATURAL, Join, any_is
 from foon_kg.integration.preparing.preparation import owed
 from foon_kg.integration.teaching.frames import Line, Stage, place_among
@@ -28,13 +27,13 @@ def is_never_heated(dishes: Collection[Dish], joins: Sequence[Join], known: Tabl
 
 def unheated(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     """Return a line without its stages over the heat; what would join there joins what is left before, or after."""
-    kept = tuple(stage for stage in line.stages if stage.does.isdisjoint(HEATS))
+    kept = tuple(stage for stage in line.stages if not stage.heats)
     if not kept or len(kept) == len(line.stages):
         return line, tuple(joins)
     became: dict[int, Stage] = {}
     last = kept[0]
     for stage in line.stages:
-        last = stage if stage.does.isdisjoint(HEATS) else last
+        last = stage if not stage.heats else last
         became[id(stage)] = last
     return Line(kept), tuple(_at(join, became.get(id(join.spot.stage), join.spot.stage), kept) for join in joins)
 
@@ -44,7 +43,7 @@ def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
 
     A cook fries each in its turn, and tosses with it what was boiled. Nothing changes where eggs or flour bind it.
     """
-    hot = next((place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)), 0)
+    hot = next((place for place, stage in enumerate(line.stages) if stage.heats), 0)
     pan, before, rest = line.stages[hot], line.stages[:hot], line.stages[hot + 1 :]
     cold = hot > 0 and all(stage.does <= _MIXES for stage in before)
     if not cold or "dry" in pan.does or not _is_fried_in_turn(joins):
@@ -58,7 +57,7 @@ def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
 
 def _heated_beside(stages: Sequence[Stage]) -> list[Line]:
     """Return the lines that join ``stages`` and in which something is heated."""
-    return [add for one in stages for add in one.adds if isinstance(add, Line) and _heats(add)]
+    return [line for stage in stages for line in stage.lines if _heats(line)]
 
 
 def _gone(stages: Sequence[Stage], kept: Sequence[Line]) -> list[Stage]:
@@ -92,7 +91,7 @@ def fat_in_the_heat(joins: Sequence[Join]) -> tuple[Join, ...]:
     """
     if any_is(joins, "dough", "leaven", *word_list("sweetens a batter")):
         return tuple(joins)
-    hot = next((stage for join in joins for stage in join.spot.after if not stage.does.isdisjoint(HEATS)), None)
+    hot = next((stage for join in joins for stage in join.spot.after if stage.heats), None)
     if hot is not None and "dry" in hot.does and any_is(joins, "flour"):
         return tuple(joins)
     return tuple(_in_the_heat(join) if _is_mixed_hard(join) else join for join in joins)
@@ -106,13 +105,13 @@ def _is_mixed_hard(join: Join) -> bool:
 
 def _covers(join: Join) -> bool:
     """Whether what a food is mixed with is spread on something before anything heats it."""
-    cold = itertools.takewhile(lambda stage: stage.does.isdisjoint(HEATS), join.spot.after)
+    cold = itertools.takewhile(lambda stage: not stage.heats, join.spot.after)
     return any(stage.motion in word_list("covers what is baked") for stage in cold)
 
 
 def _in_the_heat(join: Join) -> Join:
     spot = join.spot
-    place = next((n for n, stage in enumerate(spot.after) if not stage.does.isdisjoint(HEATS)), None)
+    place = next((n for n, stage in enumerate(spot.after) if stage.heats), None)
     if place is None:
         return join
     spot = replace(spot, stage=spot.after[place], after=spot.after[place + 1 :], side=False)
@@ -120,7 +119,7 @@ def _in_the_heat(join: Join) -> Join:
 
 
 def _heats(line: Line) -> bool:
-    return any(not stage.does.isdisjoint(HEATS) for stage in line.all_stages())
+    return any(stage.heats for stage in line.all_stages())
 
 
 def _at(join: Join, stage: Stage, stages: Sequence[Stage]) -> Join:

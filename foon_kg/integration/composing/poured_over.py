@@ -8,7 +8,6 @@ from dataclasses import replace
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import MINCED
-from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import NATURAL, Join
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
@@ -21,9 +20,10 @@ _SPRAYS = word_list("sprays")
 _WHEN_FINE = word_list("is poured over when it is fine")
 
 _LEAST = 2
-"""Of how many foods that run a dressing is made."""
+"""Of how many foods that run a dressing is made: oil alone is poured over the rest as it is."""
 
 _BY_HAND = frozenset({"coat", "mash", "mix", "move", "scatter", "whip"})
+"""What is done by hand to what stays cold: a video that does no more mixes a salad."""
 
 _BOILS = frozenset({"heat", "liquid", "move", "separate"})
 """What is only boiled for a cold dish is boiled by itself."""
@@ -143,7 +143,7 @@ def _comes_at_once(stage: Stage, joins: Sequence[Join], parts: Sequence[Join]) -
 
 def _takes_foods_beside(stages: Sequence[Stage], joins: Sequence[Join]) -> bool:
     """Whether a line with foods joins one of ``stages``."""
-    return any(isinstance(add, Line) and _joins(add, joins) for stage in stages for add in stage.adds)
+    return any(_joins(line, joins) for stage in stages for line in stage.lines)
 
 
 def _is_mashed_there(join: Join) -> bool:
@@ -154,7 +154,7 @@ def _is_mashed_there(join: Join) -> bool:
 
 def _joins(line: Line, joins: Sequence[Join]) -> bool:
     """Whether any food joins a line."""
-    stages = {id(stage) for stage in _stages(line)}
+    stages = {id(stage) for stage in line.all_stages()}
     return any(id(join.spot.stage) in stages for join in joins)
 
 
@@ -185,9 +185,9 @@ def _last_mixing(line: Line, rest: Sequence[Join]) -> int | None:
     """Return the place of the last stage at which something but the dressing joins cold, and is mixed."""
     found, mixed = None, False
     for number, stage in enumerate(line.stages):
-        if not stage.does.isdisjoint(HEATS):
+        if stage.heats:
             found, mixed = None, False
-        stages = {id(one) for one in _stages(Line((stage,)))}
+        stages = {id(one) for one in Line((stage,)).all_stages()}
         joins = any(id(join.spot.stage) in stages and not join.want.facts.is_a("topping") for join in rest)
         mixes = _is_mixing(stage)
         if joins and (mixes or (stage.does <= {"move", "scatter"} and not mixed)):
@@ -196,12 +196,7 @@ def _last_mixing(line: Line, rest: Sequence[Join]) -> int | None:
 
 
 def _beside(line: Line) -> Iterator[Stage]:
+    """Yield the stages of the lines that join a line."""
     for stage in line.stages:
-        for add in stage.adds:
-            if isinstance(add, Line):
-                yield from _stages(add)
-
-
-def _stages(line: Line) -> Iterator[Stage]:
-    yield from line.stages
-    yield from _beside(line)
+        for other in stage.lines:
+            yield from other.all_stages()

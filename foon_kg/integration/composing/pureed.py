@@ -11,7 +11,6 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.additions import is_strewn
-from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
@@ -19,7 +18,7 @@ _JOINED = frozenset({"and", "con", "in", "on", "over", "with"})
 """After these words a title says no more what a dish is."""
 
 _LEAST = 2
-"""Of so many foods that run a sauce is made."""
+"""Of so many foods that run a sauce is made: one alone (a spoon of soy sauce) seasons."""
 
 _BLENDED = Stage((), "blend", frozenset({"blend", "mix"}), (), "blender jar", "in", "blender", "power", "", (), 0)
 _SERVED = Stage((), "", frozenset(), (), "bowl", "in", "", "", "", (), 0)
@@ -49,7 +48,7 @@ def blended_when_done(line: Line, joins: Sequence[Join], name_words: Collection[
 def _is_blended_raw(stages: Sequence[Stage]) -> bool:
     """Whether a video heats what it has blended for the last time."""
     blends = [place for place, stage in enumerate(stages) if "blend" in stage.does]
-    return bool(blends) and any(not stage.does.isdisjoint(HEATS) for stage in stages[blends[-1] + 1 :])
+    return bool(blends) and any(stage.heats for stage in stages[blends[-1] + 1 :])
 
 
 def _is_served_cold(joins: Sequence[Join], name_words: Collection[str]) -> bool:
@@ -114,17 +113,15 @@ def _makes_it_smooth(join: Join, name_words: Collection[str]) -> bool:
 
 def _boiling(stages: Sequence[Stage]) -> Stage:
     """Return the stage at which everything is cooked: as the video does it at last, with its water."""
-    hot = [stage for stage in stages if not stage.does.isdisjoint(HEATS)]
+    hot = [stage for stage in stages if stage.heats]
     found = [stage for stage in hot if stage.source == "heat" and "dry" not in stage.does]
     stage = found[-1] if found else _SIMMERED
     return replace(stage, adds=tuple(add for add in stage.adds if isinstance(add, Slot)))
 
 
-def _with_stages(
-    joins: Sequence[Join], works: tuple[Stage, ...], served: Stage = _SERVED
-) -> tuple[Line, tuple[Join, ...]]:
+def _with_stages(joins: Sequence[Join], works: tuple[Stage, ...]) -> tuple[Line, tuple[Join, ...]]:
     """Return a line of these stages, at the first of which all joins that is not strewn on what is served."""
-    stages = (*works, replace(served))
+    stages = (*works, replace(_SERVED))
     found = []
     for join in joins:
         late = is_strewn(join) or join.want.facts.is_a(*word_list("floats on top"))

@@ -11,9 +11,19 @@ from typing import Any
 from foon_kg.food import Level, Tables, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish, Food, State
-from foon_kg.food.techniques import Around, Foods, Part, Technique, Work, preparations, techniques_called, ways, works
-from foon_kg.integration.composing.dealing import MAIN, dealt, has_its_foods, line_told
-from foon_kg.integration.joining.course import HEATS
+from foon_kg.food.techniques import (
+    Around,
+    Foods,
+    Part,
+    Technique,
+    Work,
+    is_so,
+    preparations,
+    techniques_called,
+    ways,
+    works,
+)
+from foon_kg.integration.composing.assigning import MAIN, assigned, has_its_foods, line_told
 from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
 from foon_kg.integration.teaching.forms import form_of
@@ -93,7 +103,7 @@ def as_a_way_says(
     around = Around([want.facts for want in wants], name_words)
     dishes, shown = tuple(dishes), _shown(line) | ({"baked"} if baked else set())
     for one in ways(when):
-        fits = _is_for(one, dishes) and all((name in shown) is holds for name, holds in map(_asked, one.video))
+        fits = _is_for(one, dishes) and all(is_so(name, shown) for name in one.video)
         if fits and one.is_called("", name_words) and has_its_foods(one, wants, around):
             return carried_out(one, joins, name_words, known)
     return line, tuple(joins)
@@ -101,17 +111,14 @@ def as_a_way_says(
 
 def _is_for(one: Technique, dishes: Sequence[Dish]) -> bool:
     """Whether a way is one for dishes that are called so."""
-    return all(any(getattr(dish, name) for dish in dishes) is holds for name, holds in map(_asked, one.dishes))
-
-
-def _asked(text: str) -> tuple[str, bool]:
-    """Return what a row asks for, and whether it is to hold."""
-    return text.removeprefix("!"), not text.startswith("!")
+    fields = [name.removeprefix("!") for name in one.dishes]
+    held = {name for name in fields if any(getattr(dish, name) for dish in dishes)}
+    return all(is_so(name, held) for name in one.dishes)
 
 
 def _shown(line: Line) -> set[str]:
     """Return what a video does, as ways ask for it: what its stages do, what it is heated on or in, and if first."""
-    found = {stage.appliance for stage in line.all_stages() if not stage.does.isdisjoint(HEATS)}
+    found = {stage.appliance for stage in line.all_stages() if stage.heats}
     hot = word_list("was made hot")
     if any(slot.kind != "water" and not hot.isdisjoint(slot.states) for slot in line.all_slots()):
         found.add("warm")
@@ -152,9 +159,9 @@ class _Placed:
 
     def __init__(self, technique: Technique, joins: Sequence[Join], around: Around) -> None:
         self.technique = technique
-        self.highest = max(SECOND, *(join.want.number for join in joins))
+        self.highest = max([SECOND, *(join.want.number for join in joins)])
         self.stages: dict[int, Stage] = {}
-        self.found = dealt(technique, joins, around)
+        self.found = assigned(technique, joins, around)
         self.used = {id(one.part) for one in self.found}
         self.taken: set[str] = set()
 

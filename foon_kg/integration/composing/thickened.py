@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from foon_kg.food.lists import word_list
-from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.patterns import STIR, with_line
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.teaching.frames import Line
@@ -22,7 +21,7 @@ def sauce_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ..
         return line, tuple(joins)
     flour, bath = own[0], own[2]
     meets = bath.spot.stage
-    if not meets.does.isdisjoint(HEATS) or not flour.spot.stage.does.isdisjoint(HEATS):
+    if meets.heats or flour.spot.stage.heats:
         return line, tuple(joins)
     pan = replace(STIR, step=meets.step)
     line, became = with_line(line, meets, Line((pan,)))

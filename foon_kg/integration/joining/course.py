@@ -7,10 +7,9 @@ from dataclasses import dataclass, field
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.spots import Join
-from foon_kg.integration.teaching.frames import Line, Phase, Stage, place_among
+from foon_kg.integration.teaching.frames import HEATS, Line, Phase, Stage, place_among
 
 MIXES = frozenset({"mix", "whip", "knead", "mash", "blend"})
-HEATS = frozenset({"heat", "warm"})
 COATS = frozenset({"coat", "mix"})
 """What a stage does at which one food is turned in another, and stays what it is."""
 
@@ -70,9 +69,8 @@ class Course:
 
         def walk(line: Line) -> Iterator[Join]:
             for stage in line.stages:
-                for add in stage.adds:
-                    if isinstance(add, Line):
-                        yield from walk(add)
+                for add in stage.lines:
+                    yield from walk(add)
                 yield from self.ordered(stage)
 
         yield from walk(self.line)
@@ -82,7 +80,7 @@ class Course:
         if isinstance(stage, Phase):
             return list(self.at.get(id(stage), ()))
         slots = list(stage.adds)
-        heats = not stage.does.isdisjoint(HEATS)
+        heats = stage.heats
 
         # a slot of this stage has a whole number, so that what has none can come between; -1 is before all slots
         def order(join: Join) -> tuple[float, int, int]:
@@ -122,7 +120,7 @@ class Course:
             place = place_among(line.stages, stage)
             if place is not None:
                 return any("heat" in one.does for one in line.stages[:place] if self.stage_alive(one))
-            return any(before(add) for one in line.stages for add in one.adds if isinstance(add, Line))
+            return any(before(add) for one in line.stages for add in one.lines)
 
         return before(self.line)
 
@@ -132,9 +130,9 @@ class Course:
         def before(line: Line) -> bool:
             place = place_among(line.stages, stage)
             if place is None:
-                return any(before(add) for one in line.stages for add in one.adds if isinstance(add, Line))
+                return any(before(add) for one in line.stages for add in one.lines)
             come = line.stages[: place + 1]
-            beside = [add for one in come for add in one.adds if isinstance(add, Line) and self.alive(add)]
+            beside = [add for one in come for add in one.lines if self.alive(add)]
             return any("heat" in one.does for add in beside for one in add.all_stages())
 
         return self.is_hot(stage) or before(self.line)
@@ -162,9 +160,8 @@ class Course:
 
         def walk(line: Line) -> bool:
             for stage in line.stages:
-                for add in stage.adds:
-                    if isinstance(add, Line) and walk(add):
-                        return True
+                if any(map(walk, stage.lines)):
+                    return True
                 found.append(stage)
                 if stage is last:
                     return True
@@ -179,11 +176,8 @@ class Course:
 
     def alive(self, line: Line) -> bool:
         """Return whether any of the asked foods joins ``line``."""
-        return any(
-            self.at.get(id(stage)) or any(isinstance(add, Line) and self.alive(add) for add in stage.adds)
-            for stage in line.stages
-        )
+        return any(map(self.stage_alive, line.stages))
 
     def stage_alive(self, stage: Stage) -> bool:
         """Return whether any of the asked foods joins at ``stage``, by itself or in a line."""
-        return bool(self.at.get(id(stage))) or any(isinstance(add, Line) and self.alive(add) for add in stage.adds)
+        return bool(self.at.get(id(stage))) or any(map(self.alive, stage.lines))

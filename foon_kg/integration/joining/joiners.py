@@ -60,7 +60,7 @@ class Joiner:
         )
 
     def plays_the_role_at(self, place: Place, needs: frozenset[str]) -> bool:
-        """Whether it is what the food of a place is to the dish: one of its ``needs``, or its main part."""
+        """Return whether it is what the food of a place is to the dish: one of its ``needs``, or its main part."""
         return not needs.isdisjoint(place.needs) or (self.main and place.main)
 
     def at(self, spot: Spot) -> Join:

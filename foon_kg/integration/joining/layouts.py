@@ -269,7 +269,7 @@ def _past(spots: Sequence[Spot], drained: frozenset[int]) -> Spot | None:
 
 
 def is_need(need: str, food: Food) -> bool:
-    """Whether a food is of the very kind or trait that a dish needs; a word in its name does not count."""
+    """Return whether a food is of the very kind or trait that a dish needs; a word in its name does not count."""
     scheme, _, name = need.rpartition(":")
     if scheme == "trait":
         return name in food.traits

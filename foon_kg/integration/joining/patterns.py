@@ -50,7 +50,7 @@ def line_with(line: Line, meant: Stage) -> Line:
     """Return the line, or one that joins it, of which the stage ``meant`` is one."""
     if any(stage is meant for stage in line.stages):
         return line
-    lines = [add for stage in line.stages for add in stage.adds if isinstance(add, Line)]
+    lines = [add for stage in line.stages for add in stage.lines]
     return next((line_with(one, meant) for one in lines if any(stage is meant for stage in one.all_stages())), line)
 
 

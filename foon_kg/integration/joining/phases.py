@@ -8,7 +8,7 @@ cooked, as the video does it. Which food is in which phase is in :mod:`~foon_kg.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables
@@ -36,11 +36,11 @@ from foon_kg.integration.joining.additions import (
     unbeaten,
     untoasted,
 )
-from foon_kg.integration.joining.course import HEATS, WORKS, Plan
+from foon_kg.integration.joining.course import WORKS, Plan
 from foon_kg.integration.joining.patterns import STIR
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.preparing.preparation import Want
-from foon_kg.integration.teaching.frames import Line, Phase, Slot, Stage
+from foon_kg.integration.teaching.frames import HEATS, Line, Phase, Slot, Stage
 
 # a stage that does more (shape, blend, bake) is no cooking in one open vessel, and stays what it is
 _DONE_OVER_HEAT = HEATS | {"mix", "liquid", "move", "fat", "coat"}
@@ -118,7 +118,7 @@ class _Phaser:
 
     def _cooked(self, run: Sequence[Stage], *, drained: bool, sets: bool) -> Sequence[Stage]:
         """Return what becomes of the stages of one vessel: its phases, unless it is ``drained`` after them."""
-        adds = {id(add): self.line(add) for stage in run for add in _lines_at(stage)}
+        adds = {id(add): self.line(add) for stage in run for add in stage.lines}
         phases = () if drained else self._phases(run, adds, sets=sets)
         if phases:
             self.became.update((id(stage), phases) for stage in run)
@@ -185,7 +185,7 @@ class _Phaser:
     def _vessel(self, run: Sequence[Stage], *, sets: bool) -> VesselOverHeat:
         """Return what comes together in one vessel; what is mixed beside it may be ``_taken_out`` of that."""
         joins = [join for stage in run for join in self.at.get(id(stage), ())]
-        beside = [line for stage in run for line in _lines_at(stage)]
+        beside = [line for stage in run for line in stage.lines]
         for line in beside:
             joins += self._taken_out(line, sets=sets)
         lines = [line for line in beside if self._foods(line)]
@@ -228,7 +228,7 @@ class _Phaser:
         found: list[Join] = []
         for stage in line.stages:
             found += self.at.get(id(stage), ())
-            for add in _lines_at(stage):
+            for add in stage.lines:
                 found += self._foods(add)
         return found
 
@@ -326,10 +326,6 @@ class _Phaser:
             if isinstance(addition.what, Join):
                 self.spot[addition.what.want.number] = phase
                 self.order.append(addition.what.want.number)
-
-
-def _lines_at(stage: Stage) -> Iterable[Line]:
-    return (add for add in stage.adds if isinstance(add, Line))
 
 
 def _with_adds(stage: Stage, lines: Mapping[int, Line]) -> Stage:

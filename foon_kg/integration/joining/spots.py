@@ -114,10 +114,10 @@ def any_is(joins: Iterable[Join], *kinds: str) -> bool:
 
 
 def only_carries(stage: Stage) -> bool:
-    """Whether a stage brings the dish to where it is served, or only adds to it."""
+    """Return whether a stage brings the dish to where it is served, or only adds to it."""
     return all(stage.does.isdisjoint(does) for _, does in _WORKS)
 
 
 def is_ladled(stage: Stage) -> bool:
-    """Whether a dish is in a pot after a stage, out of which nobody eats."""
+    """Return whether a dish is in a pot after a stage, out of which nobody eats."""
     return stage.vessel in word_list("is ladled out of")

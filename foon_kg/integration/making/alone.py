@@ -8,7 +8,7 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Bench, Stuff, Vessel
-from foon_kg.integration.joining.course import HEATS, MIXES
+from foon_kg.integration.joining.course import MIXES
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.cooling import Cooling
@@ -16,14 +16,17 @@ from foon_kg.integration.making.outcome import says_raw
 from foon_kg.integration.making.precooking import Precooking
 from foon_kg.integration.preparing.preparation import Ready, Want, owed
 from foon_kg.integration.teaching.forms import form_of
-from foon_kg.integration.teaching.frames import Stage
+from foon_kg.integration.teaching.frames import HEATS, Stage
 from foon_kg.integration.teaching.operators import Attested, Way
 
 _BOILED = word_list("is so by boiling")
 
 
 class Alone:
-    """Cooks single foods on a bench. ``ready`` are the prepared foods by the numbers of what was asked."""
+    """Cooks single foods on a bench, as ``precooking`` says.
+
+    ``ready`` are the prepared foods by the numbers of what was asked.
+    """
 
     def __init__(self, precooking: Precooking, carry: Carrier, ready: dict[int, Ready]) -> None:
         self.bench: Bench = precooking.bench
@@ -90,6 +93,7 @@ class Alone:
                 yield state
 
     def _beating(self, want: Want, state: str) -> Attested | None:
+        """Return how a food out of its shell is beaten to that state with a tool; ``None`` where nobody does so."""
         motion = self.known.motion
         ways = [way for way in self.bench.operators.making(state) if motion(way[0]).does <= {"mix", "whip"} and way[1]]
         ways.sort(key=lambda way: "whip" not in motion(way[0]).does)
@@ -238,6 +242,7 @@ class Alone:
         return "liquid" in motion.does and state in _BOILED
 
     def _pan_cook(self, ready: Ready, method: Sequence[str]) -> None:
+        """Cook a food by itself in a pan on the stove, in some of the fat that was asked unless it is done dry."""
         bench, want = self.bench, ready.want
         pan = bench.vessel("cooking pan")
         device = bench.place(pan, "stove", "on")
@@ -299,4 +304,4 @@ def _joins_as(join: Join) -> tuple[str, ...]:
 
 
 def _heats_water(stage: Stage) -> bool:
-    return not stage.does.isdisjoint(HEATS) and "dry" not in stage.does
+    return stage.heats and "dry" not in stage.does

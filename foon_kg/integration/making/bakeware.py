@@ -13,7 +13,7 @@ from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.forms import form_of
 
 _DEEP = "baking dish"
-"""What is wet is baked in it."""
+"""In what wet things are baked, whatever the video bakes in: a tray has no rim."""
 
 
 class Bakeware:

@@ -9,7 +9,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat, is_heated
 from foon_kg.integration.joining.batters import binds
 from foon_kg.integration.joining.course import Plan
-from foon_kg.integration.making.bringing import Bringing, Errand, only_brings, pours
+from foon_kg.integration.making.bringing import Bringing, Transport, only_brings, pours
 from foon_kg.integration.making.consistency import SOLID, form_together, is_uncut
 from foon_kg.integration.making.water import JUG, TAP, Water
 from foon_kg.integration.preparing.preparation import Ready, Want
@@ -43,7 +43,7 @@ class Carrier:
             return
         if vessel.device is not None:
             self._draw(ready, slot)
-        attested = self._with_spoon(self.bringing.way(Errand.of(ready, vessel, slot)))
+        attested = self._with_spoon(self.bringing.way(Transport.of(ready, vessel, slot)))
         motion = attested.way[0]
         if motion in word_list("is smeared by"):
             self._soften(stuff)
@@ -55,7 +55,7 @@ class Carrier:
         """Draw water into a jug for what stands under no tap; whatever else it is stays where it is."""
         if ready.stuff.at is not None and ready.stuff.at.label == TAP:
             jug = self.bench.vessel(JUG)
-            self.bench.bring([ready.stuff], jug, self.bringing.way(Errand.of(ready, jug, slot)))
+            self.bench.bring([ready.stuff], jug, self.bringing.way(Transport.of(ready, jug, slot)))
 
     def _clinging(self, stuff: Stuff, source: Vessel | None) -> list[Stuff]:
         """Return the fat in which a food was fried: nobody pours that out of its pan without it."""
@@ -70,7 +70,7 @@ class Carrier:
 
     def bring_part(self, ready: Ready, vessel: Vessel) -> None:
         """Bring some of a food in pieces that is ``ready`` into or onto a vessel."""
-        self.bench.bring_part(ready.stuff, vessel, self.bringing.way(Errand.of(ready, vessel)))
+        self.bench.bring_part(ready.stuff, vessel, self.bringing.way(Transport.of(ready, vessel)))
 
     def open_into(self, ready: Ready, vessel: Vessel) -> None:
         """Open a food in its shell that is ``ready`` over a vessel.
@@ -112,7 +112,7 @@ class Carrier:
         """Let fat that is spread have lain out of the refrigerator: nobody spreads it as hard as it is there."""
         fresh = stuff.at is not None and bool(stuff.at.storage)
         if fresh and not word_list("is hard in the refrigerator").isdisjoint(stuff.states):
-            stuff.states = tuple(word_list("is soft so"))
+            stuff.states = (min(word_list("is soft so")),)
 
     # --- all that is in a vessel ---
 

@@ -13,9 +13,9 @@ from dataclasses import replace
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel
-from foon_kg.integration.composing.crowned import crowned
 from foon_kg.integration.composing.techniques import LiftedOut
-from foon_kg.integration.joining.course import HEATS, Course, Plan
+from foon_kg.integration.composing.toppings import with_toppings_last
+from foon_kg.integration.joining.course import Course, Plan
 from foon_kg.integration.joining.phases import in_phases
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.adding import Adding
@@ -30,7 +30,7 @@ from foon_kg.integration.making.readying import Readying
 from foon_kg.integration.making.serving import Serving
 from foon_kg.integration.making.stacking import Stacking
 from foon_kg.integration.making.stages import Stages
-from foon_kg.integration.making.turns import Incoming, Turn, lines_at, turns_of
+from foon_kg.integration.making.turns import Incoming, Turn, turns_of
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.preparing.preparer import Preparer
@@ -43,7 +43,9 @@ class Cooking:
     def __init__(self, bench: Bench, line: Line, plan: Plan) -> None:
         self.bench = bench
         self.known: Tables = bench.known
-        self.line, self.plan = line, plan = in_phases(*crowned(line, plan, self.known), self.known)
+        line, plan = with_toppings_last(line, plan, self.known)  # what only lies on a dish is in none of its phases
+        line, plan = in_phases(line, plan, self.known)
+        self.line, self.plan = line, plan
         self.ready: dict[int, Ready] = {}
         self.boiled_late: dict[int, Sequence[str]] = {}  # how it is cooked when the sauce is ready
         self.base_late: dict[int, Sequence[str]] = {}  # how a base is done when what lies on it is ready
@@ -137,7 +139,7 @@ class Cooking:
 
     def _alive(self, stage: Stage) -> list[Line]:
         """Return the lines that join at a stage and that something asked joins."""
-        return [line for line in lines_at(stage) if self.course.alive(line)]
+        return [line for line in stage.lines if self.course.alive(line)]
 
     def _run_all(self, lines: Iterable[Line], turn: Turn, made: dict[int, Vessel]) -> None:
         """Carry out lines that join at a stage; in what each of them is made is noted in ``made``."""
@@ -158,7 +160,7 @@ class Cooking:
 
     def _joins_until_heat(self, turn: Turn) -> list[Join]:
         """Return what joins a stage, and where that does not heat, what joins until one does."""
-        cold = itertools.takewhile(lambda one: one.does.isdisjoint(HEATS), (turn.stage, *turn.later))
+        cold = itertools.takewhile(lambda one: not one.heats, (turn.stage, *turn.later))
         return [join for one in ([turn.stage] if turn.heats else cold) for join in self.course.ordered(one)]
 
     def _cook_base_now(self, joins: Sequence[Join], ready: Sequence[Vessel | None]) -> None:
@@ -182,6 +184,7 @@ class Cooking:
         incoming = Incoming(joins, [*(one for _, one in beside), *self.lifting.returned(stage)])
         if vessel is None and not incoming:
             return None
+        # a dish on bread is put together at once, whatever its video laid on later
         stacked = turn.main and self.plan.stacked and self.stacking.is_put_together(stage, joins, turn.later)
         if stacked:
             self._take_all(turn.later, incoming, made)
@@ -197,7 +200,7 @@ class Cooking:
         """Have all that joins later come now."""
         for one in later:
             incoming.joins += self.course.taken(one)
-            incoming.lines += [made.pop(id(add)) for add in lines_at(one) if id(add) in made]
+            incoming.lines += [made.pop(id(add)) for add in one.lines if id(add) in made]
 
     def _brought_and_done(self, turn: Turn, vessel: Vessel | None, incoming: Incoming) -> Vessel | None:
         """Bring what joins a stage to what is in ``vessel``, do what it does, and return in what that is then."""
@@ -226,4 +229,4 @@ class Cooking:
 
 def _made_for(stage: Stage, made: Mapping[int, Vessel]) -> list[tuple[Line, Vessel]]:
     """Return the lines that join at a stage with that in which they were made, of those that were."""
-    return [(line, made[id(line)]) for line in lines_at(stage) if id(line) in made]
+    return [(line, made[id(line)]) for line in stage.lines if id(line) in made]

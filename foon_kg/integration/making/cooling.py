@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of
-from foon_kg.integration.joining.course import HEATS, Course, Plan
+from foon_kg.integration.joining.course import Course, Plan
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import Line, Stage
@@ -49,11 +49,12 @@ class Cooling:
 
     def _cool_all(self, vessel: Vessel) -> None:
         """Let cool what is in a vessel; the fat in which something was fried does so with it."""
-        fat = self.bench.known.foods.food
-        solids = [stuff for stuff in vessel.contents if stuff.mixed or not fat(stuff.label).is_a("fat")]
+        food = self.bench.known.foods.food
+        solids = [stuff for stuff in vessel.contents if stuff.mixed or not food(stuff.label).is_a("fat")]
         self._cool(vessel, *solids[:1])
 
     def _cool(self, vessel: Vessel | None, *stuffs: Stuff) -> None:
+        """Let ``stuffs`` cool off the heat in what they are in, unless one of them is no longer hot."""
         if vessel is None or any(not _NO_LONGER_HOT.isdisjoint(stuff.states) for stuff in stuffs):
             return
         self.bench.heat_off(vessel)
@@ -62,4 +63,4 @@ class Cooling:
 
 
 def _is_any_hot(stages: Iterable[Stage]) -> bool:
-    return any(not stage.does.isdisjoint(HEATS) for stage in stages)
+    return any(stage.heats for stage in stages)

@@ -67,5 +67,5 @@ class Lifting:
 
 
 def lifts_later(later: Sequence[Stage]) -> bool:
-    """Whether at one of the stages that come ``later`` flesh is lifted out, or the rest comes to it."""
+    """Return whether at one of the stages that come ``later`` flesh is lifted out, or the rest comes to it."""
     return any(isinstance(stage, LiftedOut | Rejoined) for stage in later)

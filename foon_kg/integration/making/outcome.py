@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of, is_flat, is_heated
-from foon_kg.integration.joining.course import COATS, HEATS, Plan
+from foon_kg.integration.joining.course import COATS, Plan
 from foon_kg.integration.preparing.preparation import Want
-from foon_kg.integration.teaching.frames import Stage
+from foon_kg.integration.teaching.frames import HEATS, Stage
 from foon_kg.integration.teaching.operators import Way
 from foon_kg.world.becoming import meets
 
@@ -17,6 +17,10 @@ MIXTURE = "mixture"
 """What is called so that has no name of its own."""
 
 _MIXED = frozenset({"blended", "mixed"})
+"""The states of what is one thing by mixing, whatever is done to it afterwards."""
+
+STEM = 4
+"""So many letters of a motion begin a state that is called after it: boil and boiled, shape and shaped."""
 
 
 class Outcome:
@@ -34,7 +38,7 @@ class Outcome:
 
         ``main``: it is on the dish's own line; ``last``: and nothing works on it any more.
         """
-        is_goal = main and stage.label == self.plan.goal and not stage.does.isdisjoint(HEATS)
+        is_goal = main and stage.label == self.plan.goal and stage.heats
         if last or is_goal:
             return self.plan.label if self._is_the_dish(vessel) else MIXTURE
         if not self._names_a_product(stage):
@@ -156,7 +160,7 @@ class Outcome:
         given = self.bench.operators.giving
         able = [s for s in given if way in given[s] and s in self.known.motion(way[0]).gives]
         cold = [s for s in able if not self.known.state(s).needs_heat]
-        return sorted(cold, key=lambda s: (not s.startswith(way[0][:4]), s))
+        return sorted(cold, key=lambda s: (not s.startswith(way[0][:STEM]), s))
 
     def _stays_so(self, stage: Stage, vessel: Vessel) -> set[str]:
         """Return the states that a mixture keeps whatever is done to it: mixed, and what is blended stays cooked.
@@ -166,7 +170,7 @@ class Outcome:
         stuff = self._only_mixture(vessel)
         if stuff is None:
             return set()
-        heats, blends = not stage.does.isdisjoint(HEATS), "blend" in stage.does
+        heats, blends = stage.heats, "blend" in stage.does
         kept = set(stuff.states) & (word_list("keeps its shape") - {"kneaded"}) if heats else set[str]()
         if len(vessel.contents) > 1:
             return kept
@@ -186,7 +190,7 @@ class Outcome:
         if whole is None:
             return ()
         beside = [stuff for stuff in vessel.contents if stuff is not whole]
-        dropped = _MIXED if self._is_laid_on(vessel, beside) else frozenset[str]()  # that is no mixture
+        dropped = _MIXED if self._is_laid_on(vessel, beside) else frozenset[str]()  # in layers nothing is mixed
         return tuple(s for s in whole.states if not self.known.state(s).half and s not in dropped)
 
     def _whole_in(self, vessel: Vessel) -> Stuff | None:

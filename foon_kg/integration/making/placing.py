@@ -8,14 +8,13 @@ from collections.abc import Mapping, Sequence
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel, is_flat, is_heated
 from foon_kg.integration.joining.batters import binds
-from foon_kg.integration.joining.course import HEATS
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.bakeware import Bakeware
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.consistency import is_wet
 from foon_kg.integration.making.hands import Hands
 from foon_kg.integration.making.stages import Stages
-from foon_kg.integration.making.turns import Incoming, Turn, lines_at
+from foon_kg.integration.making.turns import Incoming, Turn
 from foon_kg.integration.making.utensils import Utensils
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
@@ -53,12 +52,12 @@ class Placing(Hands):
         return placed
 
     def is_on_stove(self, stage: Stage, vessel: Vessel) -> bool:
-        """Whether a vessel stands over the heat when something joins a stage."""
+        """Return whether a vessel stands over the heat when something joins a stage."""
         return vessel.device is not None and self._is_heated(stage) and self.utensils.device_for(stage)[1] == "on"
 
     def _is_heated(self, stage: Stage) -> bool:
         """Whether an appliance heats what a stage is done in."""
-        heat = stage.source == "heat" or not stage.does.isdisjoint(HEATS)
+        heat = stage.source == "heat" or stage.heats
         return heat and bool(self.utensils.device_for(stage)[0])
 
     def _put_on(self, vessel: Vessel, device: str, stage: Stage) -> None:
@@ -234,14 +233,14 @@ class Placing(Hands):
         if row is None or row.source != "heat" or oven in self.bench.devices:
             return False
         if self.work.rising.rises([join.want.label for join in self.plan.joins]):
-            return False
+            return False  # it would be on while the dough rises
         before = list(itertools.takewhile(lambda stage: self.utensils.device_for(stage)[0] != oven, stages))
         return not any("wait" in stage.does for stage in before[:-1])
 
 
 def _comes_before_lines(join: Join, stage: Stage) -> bool:
     """Whether a food comes to a stage before what other lines made: its slot does so, or all else lies on it."""
-    lines = lines_at(stage)
+    lines = stage.lines
     first = stage.adds.index(lines[0]) if lines else len(stage.adds)
     slot = join.slot
     return join.layer < 0 or (slot is not None and slot in stage.adds and stage.adds.index(slot) < first)

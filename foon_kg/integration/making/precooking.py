@@ -12,16 +12,20 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Bench
 from foon_kg.integration.composing.coated import is_portion
-from foon_kg.integration.joining.course import HEATS, MIXES, Course
+from foon_kg.integration.joining.course import MIXES, Course
 from foon_kg.integration.joining.spots import Join, Spot
+from foon_kg.integration.making.outcome import STEM
 from foon_kg.integration.preparing.preparation import Want, owed
 from foon_kg.integration.preparing.preparer import Preparer
 from foon_kg.integration.teaching.forms import form_of
-from foon_kg.integration.teaching.frames import Phase, Stage
+from foon_kg.integration.teaching.frames import HEATS, Phase, Stage
 from foon_kg.integration.teaching.operators import Nearness, Way
 
 _MUCH_ALIKE = 0.8
+"""From this fit on a food is cooked before as the video cooks that of its slot, though it is of another kind."""
+
 _IN_WATER, _IN_A_PAN = ("boil",), ("cook",)
+"""The motions of the two ways of cooking that any kitchen has."""
 
 
 class Precooking:
@@ -35,7 +39,11 @@ class Precooking:
         self.preparer = preparer
 
     def method(self, join: Join) -> tuple[str, ...]:
-        """Return the motions by which a food is cooked by itself before it joins; nothing where the dish cooks it."""
+        """Return the motions by which the food of ``join`` is cooked by itself before; nothing where the dish cooks it.
+
+        What is asked outright comes before what the dish would do, that before what its video shows, and that before
+        what is usual for its kind.
+        """
         want, due = join.want, self._due(join.want)
         if not (due or want.cooked):
             return self._warming(join)
@@ -104,7 +112,7 @@ class Precooking:
 
     def _comes_into_a_pan(self, spot: Spot) -> bool:
         """Whether what joins there is first heated in a pan with no liquid in it."""
-        first = next((stage for stage in _stages(spot) if not stage.does.isdisjoint(HEATS)), None)
+        first = next((stage for stage in _stages(spot) if stage.heats), None)
         return first is not None and "dry" not in first.does and not self.course.has_liquid([first])
 
     def _takes_longer(self, want: Want) -> bool:
@@ -126,7 +134,7 @@ class Precooking:
     def _is_fried_before_it_is_mixed(self, join: Join) -> bool:
         """Whether a food is stirred into a batter or dough, where it would stay limp and run with fat."""
         stage = join.spot.stage
-        cold = not stage.does.isdisjoint(MIXES) and stage.does.isdisjoint(HEATS)
+        cold = not stage.does.isdisjoint(MIXES) and not stage.heats
         if not cold or not join.want.facts.is_a(*word_list("is cut once it is fried alone")):
             return False
         baked = _is_done_there(join.spot, {"dry"}) and not _is_done_there(join.spot, {"shape"})
@@ -231,7 +239,7 @@ class Precooking:
         motions = {
             way[0] for way in self.bench.operators.ways.get("heat", ()) if state in self.known.motion(way[0]).gives
         }
-        own = [motion for motion in motions if any(word.startswith(motion[:4]) for word in state.split())]
+        own = [motion for motion in motions if any(word.startswith(motion[:STEM]) for word in state.split())]
         return bool(own) and all("liquid" in self.known.motion(motion).does for motion in own)
 
     def _warming(self, join: Join) -> tuple[str, ...]:
@@ -239,7 +247,7 @@ class Precooking:
         state = join.want.make
         if not state or not self.known.state(state).needs_heat:
             return ()
-        if not join.spot.stage.does.isdisjoint(HEATS) and not _is_toasted(join):
+        if join.spot.stage.heats and not _is_toasted(join):
             return ()
         ways = self._warming_ways(state)
         found = self.bench.attest(ways, join.want.names) or self.bench.far(ways[:1], join.want.names)

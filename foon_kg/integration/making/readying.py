@@ -8,12 +8,12 @@ from dataclasses import replace
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import fineness
-from foon_kg.integration.joining.course import HEATS, MIXES
+from foon_kg.integration.joining.course import MIXES
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.alone import Alone
 from foon_kg.integration.preparing.preparation import Ready, Want
 from foon_kg.integration.teaching.forms import form_of
-from foon_kg.integration.teaching.frames import Phase, Stage
+from foon_kg.integration.teaching.frames import HEATS, Phase, Stage
 
 
 class Readying:
@@ -110,12 +110,13 @@ class Readying:
         want = join.want
         if want.make or not want.facts.is_a(*word_list("is soft when it is beaten")):
             return want
-        hard = set(want.leaf) <= word_list("is hard in the refrigerator")
-        return replace(want, leaf=tuple(word_list("is soft so"))) if hard and self._is_beaten(join.spot.stage) else want
+        if set(want.leaf) <= word_list("is hard in the refrigerator") and self._is_beaten(join.spot.stage):
+            return replace(want, leaf=(min(word_list("is soft so")),))
+        return want
 
     def _is_beaten(self, stage: Stage) -> bool:
         """Whether a stage beats cold what joins it, or stirs it to a cream with what is sweet and no flour."""
-        if not stage.does.isdisjoint(HEATS):
+        if stage.heats:
             return False
         if not stage.does.isdisjoint({"blend", "whip"}):
             return True
@@ -168,7 +169,7 @@ def _is_eaten_raw(join: Join) -> bool:
     works = (join.spot.stage, *join.spot.after)
     if any(not stage.does.isdisjoint({"blend", "liquid"}) for stage in works):
         return False
-    return _is_shaped_later(join) or all(stage.does.isdisjoint(HEATS) for stage in works)
+    return _is_shaped_later(join) or all(not stage.heats for stage in works)
 
 
 def _is_shaped_later(join: Join) -> bool:

@@ -12,6 +12,7 @@ from foon_kg.integration.teaching.frames import Stage
 from foon_kg.integration.teaching.operators import Way
 
 _RISEN = frozenset({"fermented", "proofed", "risen"})
+"""The states of dough that rose once it was shaped; "rested" is what it is after the first time."""
 
 
 class Rising:

@@ -77,7 +77,7 @@ class Serving(Hands):
     def served(self, vessel: Vessel, stage: Stage, stages: Stages) -> Vessel:
         """Turn everything off and serve the dish, where nobody eats out of ``vessel``; return what it is in then.
 
-        ``stage`` is the last one of ``stages``.
+        ``stage`` is the last one of its line; ``stages`` says what is served on a plate, and what in portions.
         """
         self.bench.heat_off(vessel)
         self.bench.all_off()

@@ -14,15 +14,15 @@ from foon_kg.food.parted import PART
 from foon_kg.food.rows import MINCED
 from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat, is_heated
 from foon_kg.integration.composing.coated import is_portion
-from foon_kg.integration.joining.course import HEATS, MIXES, WORKS, Course, Plan
+from foon_kg.integration.joining.course import MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.spots import Join, only_carries
-from foon_kg.integration.making.turns import Turn, lines_at
+from foon_kg.integration.making.turns import Turn
 from foon_kg.integration.teaching.forms import form_of
-from foon_kg.integration.teaching.frames import BATH, Line, Phase, Slot, Stage
+from foon_kg.integration.teaching.frames import BATH, HEATS, Line, Phase, Slot, Stage
 
 
 class Stages:
-    """Answers for the stages of one dish: ``course`` is what joins where, ``plan`` what is to be made."""
+    """Tells what stages of one dish are for: ``course`` is what joins where, ``plan`` what is to be made."""
 
     def __init__(self, course: Course, plan: Plan, known: Tables) -> None:
         self.course = course
@@ -39,12 +39,12 @@ class Stages:
     def is_boiled_late(self, stage: Stage) -> bool:
         """Return whether what ``stage`` boils by itself is boiled only when what it joins is ready: a sauce, a soup."""
         after = not self.plan.stacked and self.course.follows_heat(stage)
-        return self.waits_for_sauce(stage) or (after and (self.plan.one_pot or stage.does.isdisjoint(HEATS)))
+        return self.waits_for_sauce(stage) or (after and (self.plan.one_pot or not stage.heats))
 
     def is_served_beside(self, stage: Stage) -> bool:
-        """Whether what joins at ``stage`` comes hot beside what was cooked before, and is cooked no more."""
+        """Return whether what joins at ``stage`` comes hot beside what was cooked before, and is cooked no more."""
         hot = not (self.plan.stacked or self.plan.cold or self.plan.cooled or self.plan.in_pieces)
-        return hot and stage.does.isdisjoint(HEATS) and self.course.follows_heat(stage)
+        return hot and not stage.heats and self.course.follows_heat(stage)
 
     def made_late(self, line: Line) -> frozenset[int]:
         """Return, by identity, what joins a line and is made just before: what waits for a sauce, and a foam.
@@ -52,21 +52,21 @@ class Stages:
         So is what is cooked to be laid on the rest, where that comes out of a hot pan of its own, and is lifted out,
         and whatever comes on what was baked at last.
         """
-        late = [add for stage in _after_the_oven(line.stages) for add in lines_at(stage)]
-        late += [add for stage in line.stages for add in lines_at(stage) if self._waits(stage, add)]
+        late = [add for stage in _after_the_oven(line.stages) for add in stage.lines]
+        late += [add for stage in line.stages for add in stage.lines if self._waits(stage, add)]
         return frozenset(map(id, [*late, *_out_of_hot_pans(line.stages)]))
 
     def _waits(self, stage: Stage, line: Line) -> bool:
-        return (self.waits_for_sauce(stage) and self.is_drained(line)) or self._falls(line)
+        return (self.waits_for_sauce(stage) and self.is_drained(line)) or self._makes_foam(line)
 
-    def _falls(self, line: Line) -> bool:
-        """Whether a line beats to a foam what came apart when it was opened, or what is whipped."""
+    def _makes_foam(self, line: Line) -> bool:
+        """Whether a line beats egg whites or cream to a foam, which falls if it is made too early."""
         joins = [join for stage in line.stages for join in self.course.ordered(stage)]
         foams = any(join.want.part == PART or join.want.foamed for join in joins)
         return foams and any("whip" in stage.does for stage in line.stages)
 
     def is_drained(self, line: Line) -> bool:
-        """Whether a line ends in a strainer."""
+        """Return whether a line ends in a strainer."""
         row = self.known.utensil(line.stages[-1].vessel) if line.stages[-1].vessel else None
         return row is not None and "strain" in row.can
 
@@ -85,7 +85,10 @@ class Stages:
         return whole and vessel is not None and any("baked" in stuff.states for stuff in vessel.contents)
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:
-        """Whether the next stage only goes on with what this one does: once is enough."""
+        """Whether the next stage only goes on with what this one does, so that once is enough (contract C3, W4).
+
+        A video that stirs, adds a food that is not asked, and stirs again, would have the plan stir twice.
+        """
         if (
             self.course.stage_alive(following)
             or self.water(following)
@@ -107,7 +110,7 @@ class Stages:
         if stage.vessel not in {vessel.label, ""} or "cut" in stage.does:
             return False
         for one in later:
-            if one.source == "heat" and not one.does.isdisjoint(HEATS):
+            if one.source == "heat" and one.heats:
                 return one.appliance == vessel.device.label and one.vessel in {vessel.label, ""}
             if one.vessel not in {vessel.label, ""}:
                 return False
@@ -139,11 +142,11 @@ class Stages:
         return not any(self.course.stage_alive(one) for one in turn.later)
 
     def is_worked_later(self, later: Sequence[Stage]) -> bool:
-        """Whether any of the stages that come ``later`` mixes or heats the whole."""
+        """Return whether any of the stages that come ``later`` mixes or heats the whole."""
         return any(self.mixing(one) for one in later)
 
     def mixing(self, stage: Stage) -> bool:
-        """Whether a stage mixes or heats."""
+        """Return whether a stage mixes or heats."""
         return bool(stage.motion) and not stage.does.isdisjoint(MIXES | HEATS)
 
     def water(self, stage: Stage) -> bool:
@@ -211,13 +214,13 @@ class Stages:
         return water and row is not None and "strain" in row.can
 
     def is_idle(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
-        """Return whether a stage would change nothing in ``vessel``: one food is to be mixed, or it is done again.
+        """Return whether ``stage`` would change nothing in ``vessel``, or is done again by one of the ``later`` stages.
 
-        That is by one of the ``later`` stages.
+        What is asked of all work comes first; what heats is asked less, as it changes a food that is alone, too.
         """
         if self._is_done_again(stage, vessel, later):
             return True
-        heats = not stage.does.isdisjoint(HEATS)
+        heats = stage.heats
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
         if heats and self._gets_hot_later(foods, later):
             return True
@@ -233,7 +236,7 @@ class Stages:
 
     def _gets_hot_later(self, foods: Sequence[Food], later: Sequence[Stage]) -> bool:
         """Whether foods that are only made hot are so by a later stage, and what comes next need not find them hot."""
-        if not any(not one.does.isdisjoint(HEATS) for one in later):
+        if not any(one.heats for one in later):
             return False  # this makes them hot, or nothing does
         return all(self._is_only_made_hot(food) for food in foods) and not self._is_awaited(later[0])
 
@@ -259,10 +262,8 @@ class Stages:
 
     def _is_awaited(self, following: Stage) -> bool:
         """Whether something comes next that has to come into a liquid that is hot: what was shaped."""
-        lines = (add for add in following.adds if isinstance(add, Line))
-        return (
-            isinstance(following, Phase) and following.bath and any("shape" in s.does for a in lines for s in a.stages)
-        )
+        shaped = any("shape" in stage.does for line in following.lines for stage in line.stages)
+        return isinstance(following, Phase) and following.bath and shaped
 
     def _next(self, later: Sequence[Stage], vessel: Vessel) -> Stage | None:
         """Return the next stage, past one that only turns food over and that nobody does here."""
@@ -310,7 +311,7 @@ class Stages:
 
         Nothing joins before.
         """
-        following = next((one for one in later if not one.does.isdisjoint(HEATS)), None)
+        following = next((one for one in later if one.heats), None)
         return (
             following is not None
             and vessel.device is not None
@@ -320,7 +321,7 @@ class Stages:
         )
 
     def has_no_portions(self) -> bool:
-        """Whether a dish is spooned out of what it is baked in: nothing in it comes in portions."""
+        """Return whether a dish is spooned out of what it is baked in: nothing in it comes in portions."""
         return not any(is_portion(join.want, self.known) for join in self.plan.joins)
 
     def stays_there(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
@@ -336,12 +337,12 @@ class Stages:
 
 
 def _is_over_heat(line: Line) -> bool:
-    return any(not stage.does.isdisjoint(HEATS) for stage in line.stages)
+    return any(stage.heats for stage in line.stages)
 
 
 def _after_the_oven(stages: Sequence[Stage]) -> Sequence[Stage]:
     """Return the stages that come after the last one that heats, where that is in the oven."""
-    hot = [place for place, stage in enumerate(stages) if not stage.does.isdisjoint(HEATS)]
+    hot = [place for place, stage in enumerate(stages) if stage.heats]
     return stages[hot[-1] + 1 :] if hot and "dry" in stages[hot[-1]].does else ()
 
 
@@ -350,7 +351,7 @@ def _out_of_hot_pans(stages: Sequence[Stage]) -> list[Line]:
     found: list[Line] = []
     lifted = False
     for stage in stages:
-        hot = list(filter(_is_over_heat, lines_at(stage)))
+        hot = list(filter(_is_over_heat, stage.lines))
         if lifted and not stage.motion:
             found += hot
         lifted = lifted or bool(hot)

@@ -13,7 +13,7 @@ from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.operators import Attested, Way
 
 _LEAST = 2
-"""Of as many foods is something of which one can be taken out."""
+"""Of so many foods has to be what one is taken out of: something has to stay."""
 
 
 class TakingOut:
@@ -32,7 +32,7 @@ class TakingOut:
         return self.plan.drunk and not powder and want.facts.is_a(*word_list("is taken out of what is drunk"))
 
     def is_due(self, vessel: Vessel) -> bool:
-        """Whether something in a vessel only gives its taste."""
+        """Return whether something in ``vessel`` only gives its taste."""
         return bool(self._to_take_out(vessel))
 
     def take_out(self, vessel: Vessel) -> Vessel:

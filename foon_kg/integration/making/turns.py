@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TypeVar
 
 from foon_kg.integration.bench import Vessel
-from foon_kg.integration.joining.course import HEATS, MIXES
+from foon_kg.integration.joining.course import MIXES
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.teaching.frames import Line, Stage
 
@@ -28,7 +28,7 @@ class Turn:
     @cached_property
     def heats(self) -> bool:
         """Whether the stage heats or warms."""
-        return not self.stage.does.isdisjoint(HEATS)
+        return self.stage.heats
 
     @cached_property
     def mixes_cold(self) -> bool:
@@ -38,23 +38,18 @@ class Turn:
     @cached_property
     def heats_later(self) -> bool:
         """Whether any stage that comes later heats or warms."""
-        return any(not one.does.isdisjoint(HEATS) for one in self.later)
+        return any(one.heats for one in self.later)
 
     @cached_property
     def is_heated_on(self) -> bool:
-        """Whether the video heats it later: what is only browned at last, by no video's step, is done before."""
-        return any(not one.does.isdisjoint(HEATS) for one in self.later if one.step >= 0)
+        """Whether it is heated again by more than being browned at last (``step`` -1): until then it is half done."""
+        return any(one.heats for one in self.later if one.step >= 0)
 
 
 def turns_of(line: Line, after: Sequence[Stage], *, main: bool) -> list[Turn]:
     """Return the turns of a line, after which the stages in ``after`` come; ``main``: it is the dish's own line."""
     stages = line.stages
     return [Turn(stage, (*stages[place:], *after), main) for place, stage in enumerate(stages, start=1)]
-
-
-def lines_at(stage: Stage) -> list[Line]:
-    """Return the lines that join at a stage."""
-    return [add for add in stage.adds if isinstance(add, Line)]
 
 
 _Thing = TypeVar("_Thing", Join, Vessel)

@@ -5,12 +5,11 @@ from __future__ import annotations
 from foon_kg.food import Tables
 from foon_kg.food.rows import Utensil
 from foon_kg.integration.bench import Bench, Vessel
-from foon_kg.integration.joining.course import HEATS
-from foon_kg.integration.teaching.frames import Stage
+from foon_kg.integration.teaching.frames import HEATS, Stage
 
 
 class Utensils:
-    """Chooses utensils for stages on a bench."""
+    """Chooses utensils for stages on a bench: what the video has is taken only where the world allows it (W3)."""
 
     def __init__(self, bench: Bench) -> None:
         self.bench = bench
@@ -49,7 +48,7 @@ class Utensils:
     def _shown(self, stage: Stage) -> Utensil | None:
         """Return the appliance of the video, or what usually heats, where a stage heats and that does not."""
         row = self.known.utensil(stage.appliance) if stage.appliance else None
-        if not stage.does.isdisjoint(HEATS) and (row is None or row.source != "heat"):
+        if stage.heats and (row is None or row.source != "heat"):
             return self.known.utensil("oven" if "dry" in stage.does else "stove")
         return row
 

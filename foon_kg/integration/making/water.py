@@ -56,7 +56,7 @@ class Water:
 
     def drain(self, pot: Vessel, strainer: Vessel, stuffs: Sequence[Stuff]) -> None:
         """Pour a pot into a strainer: ``stuffs`` stay there, the water is gone, save what is asked of it."""
-        while self.kept:
+        while self.kept:  # of the first water that is poured away
             self._keep_some(pot, self.kept.pop())
         foods = tuple(dict.fromkeys(food for stuff in stuffs for food in stuff.foods))
         drained = self.bench.require([("drain", ()), ("pour", ())], foods)

@@ -7,8 +7,8 @@ from collections.abc import Sequence, Set
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, RefusedError, Vessel, foods_of
-from foon_kg.integration.joining.course import COATS, HEATS, MIXES, WORKS
-from foon_kg.integration.teaching.frames import Asked, Phase, Stage
+from foon_kg.integration.joining.course import COATS, MIXES, WORKS
+from foon_kg.integration.teaching.frames import HEATS, Asked, Phase, Stage
 from foon_kg.integration.teaching.operators import Attested, Nearness, Way
 
 

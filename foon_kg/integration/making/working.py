@@ -33,7 +33,10 @@ class Worker:
     # --- told as one thing ---
 
     def name(self, vessel: Vessel, label: str, states: tuple[str, ...] | None = None) -> None:
-        """Let the last step tell what is in a ``vessel`` as one thing called ``label``, in ``states`` if said."""
+        """Let the last step tell what is in a ``vessel`` as one thing called ``label``, in ``states`` if said.
+
+        It has to be the step that brought the last of that: a product needs no step of its own to be named (C3).
+        """
         parts = list(vessel.contents)
         if len(parts) == 1 and parts[0].label == label:
             return

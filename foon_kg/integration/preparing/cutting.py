@@ -82,7 +82,7 @@ class Cutter:
         self._cuts: dict[tuple[str, Food, str], Attested | None] = {}
 
     def is_cut(self, way: Way) -> bool:
-        """Whether a way divides a food by hand."""
+        """Return whether a way divides a food by hand."""
         return len(way[1]) <= 1 and _divides(self.known, way[0])
 
     def is_asked_cut(self, want: Want) -> bool:

@@ -93,7 +93,7 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     fine = fine and _is_grated_off(one.object, known.foods.food(one.object, [one.state]), known)
     if not fine and one.state not in word_list("asks for what is grated off"):
         return _in_a_package(_as_asked(number, one, known, operators))
-    (state,) = word_list("is grated off the whole")
+    state = min(word_list("is grated off the whole"))
     return replace(_as_asked(number, replace(one, state=state), known, operators), asked=one.state, read_as=state)
 
 

@@ -30,13 +30,18 @@ BATH = Slot("water", "water", ("boiling",))
 """Water in which something is boiled that is taken out of it, whatever else water is asked for."""
 
 
+HEATS = frozenset({"heat", "warm"})
+"""What a stage does that makes things hot, be they cooked by it or only warmed."""
+
+
 @dataclass(frozen=True)
 class Stage:
     """What joins, and what is then done to the whole.
 
     ``adds`` are slots and lines in the order in which they join. ``motion`` is ``""`` where nothing is done after it.
     The whole is then in or on ``vessel``; ``appliance`` is what works on it or keeps it (``""`` for none). ``label``
-    and ``states`` are what the whole is called afterwards. ``step`` is the place of the unit in its video.
+    and ``states`` are what the whole is called afterwards. ``step`` is the place of the unit in its video, 0 where no
+    unit does it, and -1 where it is done to a dish that is ready by then (browned, strewn).
     """
 
     adds: tuple[Slot | Line, ...]
@@ -52,9 +57,19 @@ class Stage:
     step: int
 
     @property
+    def heats(self) -> bool:
+        """Whether the whole is heated, or only warmed."""
+        return not self.does.isdisjoint(HEATS)
+
+    @property
     def slots(self) -> Iterator[Slot]:
         """The foods that join here by themselves."""
         return (add for add in self.adds if isinstance(add, Slot))
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        """The lines that join here: what was made apart."""
+        return tuple(add for add in self.adds if isinstance(add, Line))
 
 
 def place_among(stages: Sequence[Stage], stage: Stage) -> int | None:
@@ -92,9 +107,8 @@ class Line:
         """Yield every stage of this line and of the lines that join it."""
         for stage in self.stages:
             yield stage
-            for add in stage.adds:
-                if isinstance(add, Line):
-                    yield from add.all_stages()
+            for line in stage.lines:
+                yield from line.all_stages()
 
     def all_slots(self) -> Iterator[Slot]:
         """Yield every slot of this line and of the lines that join it."""

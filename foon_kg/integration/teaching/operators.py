@@ -263,11 +263,15 @@ class Operators:
             return Attested(way, Nearness.MOTION, evidence.foods[usual])
         return Attested(way, Nearness.LIKE, evidence.foods[known], (food, known, sure))
 
+    def _by_frequency(self) -> list[Way]:
+        """Return all ways, the most frequent first."""
+        return sorted(self.evidence, key=lambda way: (-self.evidence[way].count, way))
+
     @cached_property
     def ways(self) -> Mapping[str, tuple[Way, ...]]:
         """The ways whose motion does each class of thing (cut, peel, heat …), the most frequent first."""
         found: defaultdict[str, list[Way]] = defaultdict(list)
-        for way in sorted(self.evidence, key=lambda way: (-self.evidence[way].count, way)):
+        for way in self._by_frequency():
             for name in self.known.motion(way[0]).does:
                 found[name].append(way)
         return {name: tuple(ways) for name, ways in found.items()}
@@ -279,7 +283,7 @@ class Operators:
     @cached_property
     def _ways_of(self) -> Mapping[str, tuple[Way, ...]]:
         found: defaultdict[str, list[Way]] = defaultdict(list)
-        for way in sorted(self.evidence, key=lambda way: (-self.evidence[way].count, way)):
+        for way in self._by_frequency():
             found[way[0]].append(way)
         return {motion: tuple(ways) for motion, ways in found.items()}
 
@@ -347,7 +351,7 @@ class Operators:
     @cached_property
     def _able(self) -> Mapping[str, tuple[Way, ...]]:
         found: defaultdict[str, list[Way]] = defaultdict(list)
-        for way in sorted(self.evidence, key=lambda way: (-self.evidence[way].count, way)):
+        for way in self._by_frequency():
             for state in self.known.motion(way[0]).gives:
                 found[state].append(way)
         return {state: tuple(ways) for state, ways in found.items()}

@@ -87,7 +87,7 @@ class Played:
         return is_among(part.name, self._foods(self.units[part.taken].input_nodes))
 
     def came_mixed(self, part: Part) -> bool:
-        """Whether a part is only told as an ingredient of something that nobody made: it was lost before."""
+        """Return whether a part is only told as an ingredient of something that nobody made: it was lost before."""
         if not part.untold:
             return False
         foods = [

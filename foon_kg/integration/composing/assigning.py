@@ -14,13 +14,13 @@ from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.preparing.preparation import Want, owed
 
 _ONE_PART = ("is one part below", "is one part above")
-"""The lists of names, each of one part of a dish."""
+"""The lists of names, each of one part of a dish: the crust, the base; the topping, the icing."""
 
 MAIN = "dish"
 """The line of a technique that makes the dish."""
 
 
-class Dealt(NamedTuple):
+class Assigned(NamedTuple):
     """A food with the part of a technique at which it joins, and the text of the table by which it does."""
 
     join: Join
@@ -28,7 +28,7 @@ class Dealt(NamedTuple):
     part: Part
 
 
-class _Wish(NamedTuple):
+class _Request(NamedTuple):
     """Foods that a part of a line asks for."""
 
     foods: Foods
@@ -94,127 +94,131 @@ def has_its_foods(one: Technique, wants: Sequence[Want], around: Around) -> bool
     return all(sum(means(some, want, around) for want in wants) == 1 for some in one.one)
 
 
-def dealt(technique: Technique, joins: Sequence[Join], around: Around) -> list[Dealt]:
+def assigned(technique: Technique, joins: Sequence[Join], around: Around) -> list[Assigned]:
     """Return at which part of a technique each food joins, and then the second portions of some of them.
 
     What a recipe says itself of a food comes before all; then what the table names, and what it takes of the rest.
     ``around`` are the foods and the title that they are asked with.
     """
-    wishes = _wishes(technique)
-    dealer = _Dealer(technique, joins, around)
-    apart = dealer.told if any(wish.foods.is_rest for wish in wishes) else set()
-    for line in sorted(dealer.told):
-        dealer.deal_as_told(line, [wish for wish in wishes if wish.line == line])
-    for wish in wishes:
-        if wish.foods.again:
-            if not dealer.has_as_told(wish):
-                dealer.deal_again(wish)
-        elif wish.line not in apart:
-            dealer.deal(wish)
+    requests = _requests(technique)
+    assigner = _Assigner(technique, joins, around)
+    apart = assigner.named_lines if any(request.foods.is_rest for request in requests) else set()
+    for line in sorted(assigner.named_lines):
+        assigner.assign_as_told(line, [request for request in requests if request.line == line])
+    for request in requests:
+        if request.foods.again:
+            if not assigner.has_as_told(request):
+                assigner.assign_again(request)
+        elif request.line not in apart:
+            assigner.assign(request)
         else:
-            dealer.deal_beside_told(wish)
-    dealer.deal_the_others()
-    return [*dealer.once.values(), *dealer.more]
+            assigner.assign_beside_told(request)
+    assigner.assign_the_others()
+    return [*assigner.once.values(), *assigner.more]
 
 
-def _wishes(technique: Technique) -> list[_Wish]:
+def _requests(technique: Technique) -> list[_Request]:
     """Return what the lines of a technique ask for, first portions first, and the rest last of these."""
     found = [
-        _Wish(foods, part, line) for line, parts in technique.lines.items() for part in parts for foods in part.foods
+        _Request(foods, part, line) for line, parts in technique.lines.items() for part in parts for foods in part.foods
     ]
-    return sorted(found, key=lambda wish: (wish.foods.again, wish.foods.is_rest))
+    return sorted(found, key=lambda request: (request.foods.again, request.foods.is_rest))
 
 
-class _Dealer:
-    """Deals the foods of a recipe out: ``once`` by their numbers, ``more`` for second portions.
+class _Assigner:
+    """Assigns the foods of a recipe to parts: ``once`` by their numbers, ``more`` for second portions.
 
-    ``told`` are the lines of which the recipe says itself what is for them; ``taken`` is in which line a food is used
-    up, ``""`` where another one may ask for more of it.
+    ``named_lines`` are the lines of which the recipe says itself what is for them, ``others`` all but the dish's own;
+    ``taken`` is in which line a food is used up, ``""`` where another one may ask for more of it.
     """
 
     def __init__(self, technique: Technique, joins: Sequence[Join], around: Around) -> None:
         self.lines = technique.lines
         self.joins = joins
         self.around = around
-        self.named = [line for line in self.lines if line != MAIN]
-        self.told = set(filter(None, map(self._line, joins)))
-        self.once: dict[int, Dealt] = {}
-        self.more: list[Dealt] = []
+        self.others = [line for line in self.lines if line != MAIN]
+        self.named_lines = set(filter(None, map(self._line, joins)))
+        self.once: dict[int, Assigned] = {}
+        self.more: list[Assigned] = []
         self.taken: dict[int, str] = {}
 
-    def deal_as_told(self, line: str, wishes: Sequence[_Wish]) -> None:
-        """Put what the recipe says is for a line where one of its ``wishes`` means it, else where the first one is."""
+    def assign_as_told(self, line: str, requests: Sequence[_Request]) -> None:
+        """Put what the recipe says is for a ``line`` where one of its ``requests`` means it, else at the first one."""
         poured = line in word_list("is poured over what lies below")
         for join in self.joins:
             below = poured and join.want.facts.is_a(*word_list("lies below what is poured"))
             if self._line(join) == line and not below:
-                wish = next((wish for wish in wishes if means(wish.foods, join.want, self.around)), wishes[0])
-                self._put(join, wish)
+                request = next(
+                    (request for request in requests if means(request.foods, join.want, self.around)), requests[0]
+                )
+                self._put(join, request)
                 self.taken[join.want.number] = line
 
-    def has_as_told(self, wish: _Wish) -> bool:
-        """Whether the recipe says itself that a food that a wish means is for its line."""
-        return wish.line in self.told and any(self._line(join) == wish.line for join in self._meant(wish))
+    def has_as_told(self, request: _Request) -> bool:
+        """Return whether the recipe says itself that a food that is requested is for its line."""
+        return request.line in self.named_lines and any(
+            self._line(join) == request.line for join in self._meant(request)
+        )
 
     def _line(self, join: Join) -> str:
-        return line_told(join.want.part, self.named)
+        return line_told(join.want.part, self.others)
 
-    def deal(self, wish: _Wish) -> None:
-        """Put the foods that a wish means there, unless they are somewhere already."""
-        for join in self._meant(wish):
+    def assign(self, request: _Request) -> None:
+        """Put the foods that are requested there, unless they are somewhere already."""
+        for join in self._meant(request):
             if join.want.number not in self.once:
-                self._put(join, wish)
-                self.taken[join.want.number] = wish.line if wish.foods.is_rest else ""  # else two of it: layers
+                self._put(join, request)
+                self.taken[join.want.number] = request.line if request.foods.is_rest else ""  # else two of it: layers
 
-    def deal_again(self, wish: _Wish) -> None:
+    def assign_again(self, request: _Request) -> None:
         """Put second portions there: those that the recipe lists for the same part as other foods of that line."""
-        found = [join for join in self._meant(wish) if self.taken.get(join.want.number) != wish.line]
-        beside = self._parts_in(wish.line)
+        found = [join for join in self._meant(request) if self.taken.get(join.want.number) != request.line]
+        beside = self._parts_in(request.line)
         said = [join for join in found if join.want.part in beside]
         for join in said:
-            self._put(join, wish)
+            self._put(join, request)
         if not said:
-            self._deal_portions([join for join in found if not join.want.part], wish)
+            self._assign_portions([join for join in found if not join.want.part], request)
 
     def _parts_in(self, line: str) -> set[str]:
         """Return for which parts of the dish, that are no lines, the recipe says that the foods of a line are."""
         found = {one.join.want.part for one in self.once.values() if one.part in self.lines[line]}
-        return {part for part in found if part and not line_told(part, self.named)}
+        return {part for part in found if part and not line_told(part, self.others)}
 
-    def _deal_portions(self, found: Sequence[Join], wish: _Wish) -> None:
+    def _assign_portions(self, found: Sequence[Join], request: _Request) -> None:
         """Put a second portion of each food there; what a recipe names twice is two portions already.
 
         Of those the one joins that stands nearest, in the recipe, to the other foods of the part.
         """
-        there = [one.join.want.number for one in self.once.values() if one.part is wish.part]
+        there = [one.join.want.number for one in self.once.values() if one.part is request.part]
         for alike in _by_name(found):
             near = _nearest(alike, there)
             if len(alike) > 1:
                 if not any(join.want.number in there for join in alike):
-                    self._put(near, wish)
+                    self._put(near, request)
             elif near.want.number not in self.once:
-                self._put(near, wish)
+                self._put(near, request)
             elif near.want.number not in there:
-                self.more.append(Dealt(near, wish.foods, wish.part))
+                self.more.append(Assigned(near, request.foods, request.part))
 
-    def deal_the_others(self) -> None:
+    def assign_the_others(self) -> None:
         """Put what no stage names where that joins which is listed nearest, for the same part if any is."""
         for join in self.joins:
             if join.want.number not in self.once and self.once:
                 part = min(self.once.values(), key=lambda one: _distance(one.join.want, join.want)).part
-                self.once[join.want.number] = Dealt(join, Foods(("*",)), part)
+                self.once[join.want.number] = Assigned(join, Foods(("*",)), part)
 
-    def _meant(self, wish: _Wish) -> list[Join]:
-        return [join for join in self.joins if means(wish.foods, join.want, self.around)]
+    def _meant(self, request: _Request) -> list[Join]:
+        return [join for join in self.joins if means(request.foods, join.want, self.around)]
 
-    def _put(self, join: Join, wish: _Wish) -> None:
+    def _put(self, join: Join, request: _Request) -> None:
         """Put a food there, of which it is the first portion."""
-        self.once[join.want.number] = Dealt(join, replace(wish.foods, again=False), wish.part)
+        self.once[join.want.number] = Assigned(join, replace(request.foods, again=False), request.part)
 
-    def deal_beside_told(self, wish: _Wish) -> None:
+    def assign_beside_told(self, request: _Request) -> None:
         """Put foods at a stage of a line of which the recipe says what is for it, unless that joins at this stage."""
-        if not any(one.part is wish.part and one.join.want.part in self.told for one in self.once.values()):
-            self.deal(wish)
+        if not any(one.part is request.part and one.join.want.part in self.named_lines for one in self.once.values()):
+            self.assign(request)
 
 
 def _by_name(joins: Iterable[Join]) -> Iterable[list[Join]]:

@@ -18,7 +18,7 @@ from foon_kg.integration.teaching.frames import Line, Stage
 _MIX = replace(MIX, tools=("spatula",))
 
 
-def made_apart(
+def cooked_apart(
     line: Line, joins: Sequence[Join], name_words: Collection[str], known: Tables, *, grilled: bool
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return a line that lays on bread what it makes before, and its ``joins``.
@@ -30,14 +30,20 @@ def made_apart(
     """
     if not any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins):
         return coated_apart(line, joins)
-    body = _Body(joins, name_words, known)
+    body = _CookedApart(joins, name_words, known)
     if not body.main and (body.falls_apart or (grilled and not body.raw and not body.fried)):
         top = replace(TOP)
         return Line((top,)), tuple(_at(join, top, ()) for join in joins)
     return body.line() if body.main else coated_apart(line, joins)
 
 
-class _Body:
+class _CookedApart:
+    """The foods of a dish on bread: the ``main`` ones that have to be made apart, and what else is fried beside them.
+
+    ``shaped``: they are a mass for patties. ``loose``: they are cooked in pieces, or ``braised`` in a liquid.
+    ``falls_apart``: flesh is asked in shreds, and boiled for that by itself.
+    """
+
     def __init__(self, joins: Sequence[Join], name_words: Collection[str], known: Tables) -> None:
         self.joins = joins
         self.known = known

@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.additions import is_bath
-from foon_kg.integration.joining.course import HEATS, WORKS, Plan
+from foon_kg.integration.joining.course import WORKS, Plan
 from foon_kg.integration.joining.spots import Join, any_is, is_ladled, only_carries, spots_of
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Stage
@@ -19,13 +19,13 @@ _MELTS = word_list("melts on what is hot")
 _THICKENS = word_list("thickens what is boiled")
 
 
-def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
+def with_toppings_last(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
     """Return ``line`` and ``plan`` for a dish whose nuts, wedges and the like come on it when it is done.
 
     That is so where the last that is done to the dish is to cook it over the heat. ``known`` are the tables.
     """
     if any((plan.stacked, plan.cold, plan.laid, plan.in_pieces, plan.tin)):
-        return line, plan
+        return line, plan  # such a dish does not come out of a pot or pan, or has an order of its own
     place = _cooked_last(line)
     tops = [join for join in plan.joins if _is_loose(join) and _lies_on_it(join, plan, known)]
     if place is None or len(tops) in {0, len(plan.joins)}:
@@ -47,7 +47,7 @@ def _is_loose(join: Join) -> bool:
 
 def _cooked_last(line: Line) -> int | None:
     """Return the place of the stage that cooks a dish over the heat, if nothing is done to it after that."""
-    hot = [place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)]
+    hot = [place for place, stage in enumerate(line.stages) if stage.heats]
     if not hot or "dry" in line.stages[hot[-1]].does:
         return None
     return hot[-1] if all(stage.does.isdisjoint(WORKS) for stage in line.stages[hot[-1] + 1 :]) else None
