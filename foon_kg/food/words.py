@@ -16,6 +16,7 @@ _WORD = re.compile(r"[^\W\d_]+")
 _IRREGULAR = {
     "bouillabaisses": "bouillabaisse", "chilies": "chili", "chillies": "chilli", "halves": "half", "knives": "knife",
     "leaves": "leaf", "loaves": "loaf", "mousses": "mousse",
+    "yoghurt": "yogurt", "yoghurts": "yogurt",
 }  # fmt: skip
 _PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
 _NO_PLURAL = ("ss", "us", "is")

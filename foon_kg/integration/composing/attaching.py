@@ -127,6 +127,8 @@ def _attached_last(stages: Sequence[Stage], target: Stage, at: str) -> tuple[Lin
     done = stages[: len(stages) - len(rest)]
     if not target.vessel and is_ladled(stages[-1]):
         target = replace(target, vessel=min(word_list("is eaten out of when it is ladled")))
+    if not target.vessel and stages[-1].vessel in word_list("is turned out of when it is baked"):
+        target = replace(target, vessel="plate", relation="on")  # nobody lifts a cake out from under its cream
     cool = () if at != "cooled" or (done and "wait" in done[-1].does) else (stage_of("cool"),)
     return Line((*done, *cool, *rest, target)), target, {}
 
