@@ -149,3 +149,21 @@ def test_meat_is_covered_with_ground_corn(steps):
     told = steps("pie", "Pastel de choclo", *asked, "hard-boiled eggs:sliced")
     assert inside(told, "blend") == {"corn", "milk"}
     assert motions(told).index("blend") < motions(told).index("bake")
+
+
+def test_eggs_beaten_with_sugar_raise_what_nothing_else_raises(steps):
+    told = steps("cake", "Hot milk sponge", "flour:powder", "eggs:uncooked", "sugar:granulated", "lemon zest:grated")
+    assert inside(told, "whisk") == {"eggs", "sugar"}
+    assert motions(told).index("whisk") < motions(told).index("fold")
+
+
+def test_the_second_eggs_of_a_burger_are_fried(steps):
+    asked = ("minced beef:raw", "egg:beaten", "breadcrumbs:crumbs", "buns:whole", "eggs:uncooked", "lettuce:shredded")
+    told = steps("burger", "Burger with fried eggs", *asked)
+    assert "eggs" not in inside(told, "mix")
+
+
+def test_flour_that_is_seasoned_is_for_the_meat_of_a_pie(steps):
+    asked = ("beef:cut", "flour:seasoned", "onion:chopped", "oil:liquid", "ale:liquid", "flour:plain", "lard:diced")
+    told = steps("pie", "Beef and ale pie", *asked)
+    assert any(one == "pour" and {"flour", "cooking pan"} <= inputs for inputs, one, _ in told)
