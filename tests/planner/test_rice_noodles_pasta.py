@@ -293,3 +293,22 @@ def test_vine_leaves_are_rolled_around_their_rice(steps):
                  "onions:chopped", "olive oil:liquid", "water:liquid", "Greek yoghurt::serving")  # fmt: skip
     assert {"rice", "onions"} <= inside(told, "stir")
     assert motions(told).index("roll") < motions(told).index("simmer")
+
+
+@pytest.mark.parametrize("title", ["Chikhirtma", ""])
+def test_eggs_with_flour_come_last_into_a_soup(steps, title):
+    told = steps("soup", title, "chicken:pieces", "water:liquid", "onion:chopped", "eggs:beaten", "flour:powder",
+                 "vinegar:liquid", "coriander:chopped")  # fmt: skip
+    assert {"eggs", "flour"} <= inside(told, "whisk")
+    assert _into(told, "chicken", "pot") < _into(told, "egg mixture", "pot")
+
+
+def test_lentil_soup_is_blended_under_its_butter(steps):
+    told = steps("soup", "Mercimek soup", "red lentils:dried", "onion:chopped", "oil:liquid", "stock:liquid",
+                 "butter:unmelted", "mint:dried", "pul biber:")  # fmt: skip
+    assert {"pul biber", "mint"} <= inside(told[motions(told).index("blend") :], "cook and stir")
+
+
+def test_tempeh_is_fried_and_not_boiled(steps):
+    told = steps("salad", "Gado-gado", "tempeh:fried", "green beans:whole", "eggs:boiled", "cucumber:sliced")
+    assert not [inputs for inputs, _, _ in told if {"tempeh", "pot"} <= inputs]
