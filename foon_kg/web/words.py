@@ -116,7 +116,8 @@ class Words(ABC):
 
     def _ingredients(self, text: str, limit: int) -> list[str]:
         said = " ".join(text.lower().split())
-        state = max((s for s in self.states if said.startswith(f"{s.lower()} ")), key=len, default="")
+        begun = f"{said} " if text[-1:].isspace() else said  # “chopped” may go on; behind “chopped ” comes a food
+        state = max((s for s in self.states if begun.startswith(f"{s.lower()} ")), key=len, default="")
         if not state:
             return _matching([*self.named("food", said), *self.states], said)[:limit]
         rest = said[len(state) + 1 :]

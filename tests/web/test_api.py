@@ -153,6 +153,8 @@ def test_completion_knows_that_an_ingredient_begins_with_a_state(client):
         return client.get("/api/complete", params={"text": text, "kind": kind}).json()
 
     assert "chopped onion" in words("chopped on")
+    assert "chopped onion" in words("chopped "), "behind the state a food is begun"
+    assert words("chopped") == ["chopped"], "the state itself may go on"
     assert words("kni", "object") == ["knife"]
     assert words("om", "dish") == ["omelette"]
     assert all(word.startswith("chop") or " chop" in word for word in words("chop", "state"))

@@ -16,6 +16,7 @@ pytestmark = pytest.mark.neo4j
 
 OMELETTE = {"dish_type": "omelette", "ingredients": ["egg", "butter", "salt"]}
 COMPLETED = [
+    ("ingredient", "chopped "),
     ("food", "on"), ("food", "oil"), ("food", ""), ("ingredient", "chop"), ("ingredient", "chopped on"),
     ("ingredient", "diced"), ("object", "bow"), ("object", "onions"), ("goal", "sal"), ("goal", "greek"),
     ("state", "cho"), ("dish", "o"), ("avoidable", "nu"), ("thing", "pan"),
