@@ -27,6 +27,7 @@ MOST_OF_A_LINE = 64_000_000
 """So many bytes no answer has."""
 
 _AT_ONCE = 1 << 20
+"""Bytes that are read of a compressed file at a time."""
 
 
 class Inflating(Protocol):

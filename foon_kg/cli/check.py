@@ -196,7 +196,7 @@ def _lines(tree: TaskTree, report: Report) -> Iterator[str]:
         findings = [finding for finding in report.findings if finding.minor is minor]
         if findings:
             yield f"  {level}:"
-            yield from (f"    {_told(finding)}" for finding in findings)
+            yield from (f"    {_in_words(finding)}" for finding in findings)
     yield from (f"  {note}" for note in report.notes)
     yield from _not_asked(report)
 
@@ -228,7 +228,7 @@ def _yes(is_so: bool) -> str:
     return "yes" if is_so else "no"
 
 
-def _told(finding: Finding) -> str:
+def _in_words(finding: Finding) -> str:
     place = "" if finding.step is None else f" step {finding.step + 1}"
     about = "; ".join(map(str, finding.nodes))
     return f"{finding.rule}{place}{',' if place and about else ''}{' ' if about else ''}{about}: {finding.reason}"

@@ -42,6 +42,12 @@ Files = Annotated[
     typer.Option("--files", metavar="DIR", help="Answer from these subgraph files or folders, without a database."),
 ]
 
+AsText = Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")]
+Dask = Annotated[
+    str | None,
+    typer.Option("--dask", metavar="ADDRESS", help="Plan on the workers of this Dask scheduler (extra “cluster”)."),
+]
+
 Say = Callable[[str], None]
 """Takes one line for the person at the terminal."""
 
@@ -83,7 +89,7 @@ class ErrorsAtTheEdge(HelpedGroup):
         try:
             context = super().make_context(info_name, args, parent, **extra)
         except _WRONG_USAGE as error:
-            raise self._told(asked, _as_ours(error)) from error
+            raise self._reported(asked, _as_ours(error)) from error
         context.meta[_JSON_ASKED] = asked  # a command that cannot be read remembers nothing
         return context
 
@@ -92,16 +98,16 @@ class ErrorsAtTheEdge(HelpedGroup):
         try:
             return super().invoke(ctx)
         except _WRONG_USAGE as error:
-            raise self._told(ctx.meta[_JSON_ASKED], _as_ours(error)) from error
+            raise self._reported(ctx.meta[_JSON_ASKED], _as_ours(error)) from error
         except FoonError as error:
-            raise self._told(ctx.meta[_JSON_ASKED], error) from error
+            raise self._reported(ctx.meta[_JSON_ASKED], error) from error
         except ModuleNotFoundError as error:
             from foon_kg.model.extras import missing
 
             lacks = missing(error)
             if lacks is None:
                 raise
-            raise self._told(ctx.meta[_JSON_ASKED], lacks) from error
+            raise self._reported(ctx.meta[_JSON_ASKED], lacks) from error
 
     def main(self, *arguments: Any, **options: Any) -> Any:  # noqa: ANN401 - as typer has it
         """Run the program; where a disk is full, or nobody reads stdout any more, end it in order."""
@@ -119,8 +125,8 @@ class ErrorsAtTheEdge(HelpedGroup):
             sys.exit(1)
 
     @staticmethod
-    def _told(as_json: bool, error: FoonError) -> typer.Exit:
-        """Tell an error, and return the end of the program that it asks for."""
+    def _reported(as_json: bool, error: FoonError) -> typer.Exit:
+        """Print an error, and return the end of the program that it asks for."""
         show_error(error)
         if as_json:
             from foon_kg.plans.result import error_to_json

@@ -24,6 +24,7 @@ EXAMPLES = examples(
     "foon draft recipes recipes.json -o drafts.jsonl --files subgraphs/ --jobs 2",
 )
 _NAMED = 5
+"""So many recipes that cannot be drafted are named; the lines of the file say it of each."""
 
 
 def recipes(

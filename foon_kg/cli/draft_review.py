@@ -56,7 +56,7 @@ def review(
     what was said. "?" is a doubt; "!" an input that no earlier row makes and no kitchen has. Then what the draft would
     change in the FOON. Edit the table in any editor: mend a row and empty its doubt, or delete it.
     """
-    from foon_kg.cli.draft_sitting import draft_of_recipe, is_in_person, review_in_person
+    from foon_kg.cli.draft_session import draft_of_recipe, is_in_person, review_in_person
 
     _one_draft(paths, recipe, output)
     if recipe is not None:

@@ -35,15 +35,15 @@ def review_in_person(path: Path, output: Path | None) -> bool:
     """
     from foon_kg.language.reviewing import Review
 
-    sitting = Sitting(path, Review.of(read_table(path), path.stem, str(path)))
-    with sitting.keys.open(), suppress(KeyboardInterrupt):  # pressed while a row is still being shown
-        sitting.ask()
-    if sitting.review.decisions:
-        left = len(sitting.review.decisions)
+    session = ReviewSession(path, Review.of(read_table(path), path.stem, str(path)))
+    with session.keys.open(), suppress(KeyboardInterrupt):  # pressed while a row is still being shown
+        session.ask()
+    if session.review.decisions:
+        left = len(session.review.decisions)
         typer.echo(f"{path}: {left} of its rows are to be decided; foon draft review {path} goes on there.")
         return False
-    target = write_subgraph(sitting.review, output or path.with_suffix(".txt"))
-    typer.echo(f"{path}: all is decided. {target}: {sitting.review.units} units; foon load foon {target} takes it.")
+    target = write_subgraph(session.review, output or path.with_suffix(".txt"))
+    typer.echo(f"{path}: all is decided. {target}: {session.review.units} units; foon load foon {target} takes it.")
     return True
 
 
@@ -90,8 +90,8 @@ def write_subgraph(review: Review, target: Path) -> Path:
 
 
 @dataclass
-class Sitting:
-    """One person before one draft: what they decided last can be undone."""
+class ReviewSession:
+    """A draft that one person reviews, decision after decision; each can be undone."""
 
     path: Path
     review: Review
@@ -101,7 +101,7 @@ class Sitting:
 
     def ask(self) -> None:
         """Show one decision after another, and do what each key says, until nothing is left to ask."""
-        ways: Mapping[str, Callable[[Decision], bool]] = {
+        actions: Mapping[str, Callable[[Decision], bool]] = {
             "\r": self._accept,
             "\n": self._accept,
             "a": self._accept,
@@ -117,9 +117,9 @@ class Sitting:
             decision = self.review.decisions[self.number]
             data().print(decision_view(decision, self.number + 1, len(self.review.decisions)))
             data().print(_KEYS, style="dim")
-            while (way := ways.get(self._key())) is None:
+            while (action := actions.get(self._key())) is None:
                 pass
-            if not way(decision):
+            if not action(decision):
                 return
 
     def _accept(self, decision: Decision) -> bool:

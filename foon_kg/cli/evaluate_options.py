@@ -40,10 +40,6 @@ Method = Annotated[
 Jobs = Annotated[
     int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
 ]
-Dask = Annotated[
-    str | None,
-    typer.Option("--dask", metavar="ADDRESS", help="Plan on the workers of this Dask scheduler (extra “cluster”)."),
-]
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli import evaluate_options as options
-from foon_kg.cli.console import Files, Json, Quiet, examples, json_line, print_json, print_view, sayer
+from foon_kg.cli.console import Dask, Files, Json, Quiet, examples, json_line, print_json, print_view, sayer
 from foon_kg.cli.dish_types import check_dish_types
 from foon_kg.cli.runs import progress_bar
 
@@ -42,7 +42,7 @@ def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
     html: options.Html = None,
     compare: options.Compare = None,
     jobs: options.Jobs = None,
-    dask: options.Dask = None,
+    dask: Dask = None,
     files: Files = None,
     as_json: Json = False,
     quiet: Quiet = False,

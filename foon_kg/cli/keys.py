@@ -13,6 +13,7 @@ from typing import Any
 import typer
 
 _AT_ONCE = 64
+"""Bytes that are read at a time: a key may be a sequence of several, and some may have been pressed before."""
 _SEQUENCE = re.compile(r"\x1b(?:\[[0-9;?]*[@-~]|O.|.)?")
 """What arrows and other keys without a letter send."""
 

@@ -12,8 +12,8 @@ from foon_kg.cli.console import Json, Quiet, examples, print_json, sayer
 
 EXAMPLES = examples("foon load weights motion_cost.json", "foon load weights motion_cost.json --json")
 
-
 _SHOWN = 10
+"""So many motions are named; --json has them all."""
 
 
 def weights(

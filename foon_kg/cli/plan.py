@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, examples, sayer
+from foon_kg.cli.console import AsText, Dask, Files, Json, Quiet, Say, examples, sayer
 from foon_kg.cli.dish_types import dish_types_like
 from foon_kg.cli.kitchen import KitchenFile
 from foon_kg.model import Recipe
@@ -63,7 +63,6 @@ Collection = Annotated[
         autocompletion=dish_types_like,
     ),
 ]
-Foon = Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")]
 Explain = Annotated[bool, typer.Option("--explain", help="Say for every ingredient why it is made as it is.")]
 Substitutes = Annotated[
     list[str] | None,
@@ -96,10 +95,6 @@ Jobs = Annotated[
         help="Plan in N processes; as a rule one for each 64 recipes, at most all cores.",
     ),
 ]
-Dask = Annotated[
-    str | None,
-    typer.Option("--dask", metavar="ADDRESS", help="Plan on the workers of this Dask scheduler (extra “cluster”)."),
-]
 Enumerate = Annotated[
     bool, typer.Option("--enumerate", help="List the reference trees there are to choose from, and the choice.")
 ]
@@ -124,7 +119,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     recipes: Collection = None,
     kitchen: KitchenFile = None,
     as_json: Json = False,
-    foon: Foon = False,
+    foon: AsText = False,
     explain: Explain = False,
     enumerate_all: Enumerate = False,
     limit: Limit = 1_000,

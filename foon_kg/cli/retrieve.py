@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
+from foon_kg.cli.console import AsText, Files, Json, Quiet, Say, examples, print_json, print_view, sayer
 from foon_kg.cli.kitchen import KitchenFile, kitchen_of
 from foon_kg.model.errors import UsageError
 
@@ -40,7 +40,6 @@ Weights = Annotated[
     Path | None,
     typer.Option("--weights", metavar="FILE", help="How hard motions are (JSON), in place of the stored weights."),
 ]
-Foon = Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")]
 
 
 def retrieve(
@@ -54,7 +53,7 @@ def retrieve(
     weights: Weights = None,
     kitchen: KitchenFile = None,
     as_json: Json = False,
-    foon: Foon = False,
+    foon: AsText = False,
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:

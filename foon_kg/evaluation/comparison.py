@@ -17,6 +17,8 @@ CaseKey = tuple[str, str]
 """What tells one question of an evaluation from the others: its name and its dish type."""
 
 _SAME = 1e-6
+"""Figures are written to six decimals: what differs by less may have been rounded."""
+
 _SHARES = {"recipes": "correct", "leave-one-out": "units"}
 """Which field of a question's entry is compared, by the kind of the evaluation."""
 

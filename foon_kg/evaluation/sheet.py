@@ -44,7 +44,7 @@ def write_sheet(recipes: Iterable[RecipeFigures]) -> str:
             if scored.line is not None:
                 wanted = scored.ingredient
                 named = line_key(recipe, wanted.object, wanted.state)
-                rows.writerow([*map(as_cell, (*named, told(scored.line))), ""])
+                rows.writerow([*map(as_cell, (*named, line_in_words(scored.line))), ""])
     return text.getvalue()
 
 
@@ -97,7 +97,7 @@ def line_key(recipe: RecipeFigures, food: str, state: str) -> LineKey:
     return recipe.name, recipe.recipe.dish_type, food, state
 
 
-def told(line: ProgressLine) -> str:
+def line_in_words(line: ProgressLine) -> str:
     """Return a progress line as a person reads it; an empty one does not get to the dish."""
     if not line.steps:
         return "(does not get to the dish)"

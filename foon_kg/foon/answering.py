@@ -26,7 +26,7 @@ UNCOUNTED = sys.maxsize
 """So many questions are taken for granted where nobody says how many there are."""
 
 _MOST_KEPT = 8
-"""For so many different settings what plans is kept ready."""
+"""For so many different settings what plans is kept ready: each holds what it has learnt of the whole FOON."""
 
 
 class Answering(Drafting):

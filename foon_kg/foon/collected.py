@@ -124,7 +124,7 @@ class Collected(Opened):
             return load_recipes(
                 connection,
                 recipes,
-                _telling(reader, understood),
+                _reporting(reader, understood),
                 stored=stored,
                 left_over=left_over,
                 version=reader.version,
@@ -150,7 +150,7 @@ class Collected(Opened):
 
         with LineReader(cores()) as lines:
             reader = CollectionReader(labels_by_name(staged.seen_foods()), lines)
-            understand = _telling(reader, understood)
+            understand = _reporting(reader, understood)
             return stage_recipes(
                 staged, recipes, understand, version=reader.version, stored=stored, left_over=left_over
             )
@@ -196,8 +196,8 @@ class Collected(Opened):
         return load_weights(self._connected("for weights"), costs)
 
 
-def _telling(reader: CollectionReader, understood: Callable[[UnderstoodRecipe], None]) -> Understand:
-    """Return what understands recipes as ``reader`` does, and tells each of them to ``understood``."""
+def _reporting(reader: CollectionReader, understood: Callable[[UnderstoodRecipe], None]) -> Understand:
+    """Return what understands recipes as ``reader`` does, and hands each of them to ``understood``."""
 
     def understand(asked: Sequence[CollectedRecipe]) -> Sequence[UnderstoodRecipe]:
         found = reader.understand(asked)

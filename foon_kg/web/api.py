@@ -23,7 +23,7 @@ from foon_kg.formats.pictures.svg import dark_colours
 from foon_kg.model.errors import FoonError
 from foon_kg.web import asking, telling, telling_plans
 from foon_kg.web.api_page import api_page
-from foon_kg.web.asked_before import AskedBefore, edition_told, told
+from foon_kg.web.asked_before import AskedBefore, edition_headers, http_response
 from foon_kg.web.callers import Callers
 from foon_kg.web.explore.cypher import CypherDesk
 from foon_kg.web.explore.routes import router as explore_router
@@ -65,7 +65,7 @@ _NAMES = Query(alias="name", min_length=1, max_length=20, description="Foods, kn
 _LABEL = Query(min_length=1, max_length=asking.MOST_LETTERS, description="An object's name.", examples=["onion"])
 _BEGINNING = Query(max_length=asking.MOST_LETTERS, description="What is typed so far.", examples=["chopped on"])
 _LIMIT = Query(ge=1, le=50)
-_TOLD = 40  # letters of what is too long
+_SHOWN_LETTERS = 40  # of a text that is too long
 _ROLE = Query(
     alias="as", max_length=40, description="What it does in a dish: liquid, protein, fat …", examples=["liquid"]
 )
@@ -135,7 +135,7 @@ def web_app(
     app.mount("/teach", StaticFiles(directory=_folder("foon_kg.web.teach")))
     app.mount("/", StaticFiles(directory=_folder("foon_kg.web"), html=True))
     metrics.paths = _paths(app.routes, ("", router), ("", watching), ("/api", explore_router), ("/api", teach_router))
-    app.add_exception_handler(FoonError, _told)
+    app.add_exception_handler(FoonError, _error_response)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _refused)
     app.add_exception_handler(Exception, _crashed)
@@ -151,7 +151,7 @@ def summary(request: Request, response: Response) -> telling.Summary:
 @router.get("/examples", response_model=telling.Examples)
 async def examples(request: Request) -> Response:
     """Return up to six dishes to begin with: what videos of this FOON make, each of which can be planned."""
-    return await _answered(request, ExamplesQuestion())
+    return await _reply_to(request, ExamplesQuestion())
 
 
 @router.get("/complete")
@@ -203,7 +203,7 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
         hands=tuple(asked.hands),
         picture_width=asked.picture_width if asked.pictures else None,
     )
-    return await _answered(request, question)
+    return await _reply_to(request, question)
 
 
 @router.get("/plan", response_model=telling_plans.PlanTold, responses=_UNCHANGED)
@@ -222,31 +222,31 @@ async def plan_again(
     """Plan a dish as POST does. The answer has an ETag: whoever sends it as If-None-Match is told if it still is so."""
     wanted = tuple(ingredients), (), tuple(avoid), tuple(kitchen)
     question = PlanQuestion(dish_type, *wanted, after, with_drafts=with_drafts, title=title, explain=explain)
-    return await _answered(request, question)
+    return await _reply_to(request, question)
 
 
 @router.post("/suggest", response_model=telling.SuggestionsTold)
 async def suggest(request: Request, asked: asking.SuggestAsked) -> Response:
     """Name the dishes that the foods at hand make best."""
-    return await _answered(request, SuggestQuestion(tuple(asked.foods), asked.most, tuple(asked.kitchen)))
+    return await _reply_to(request, SuggestQuestion(tuple(asked.foods), asked.most, tuple(asked.kitchen)))
 
 
-async def _answered(request: Request, question: Question) -> Response:
+async def _reply_to(request: Request, question: Question) -> Response:
     service, limits = _service(request), request.app.state.limits
     try:
         edition, future = await asyncio.to_thread(service.asked, question)
         reply = await asyncio.wait_for(asyncio.shield(asyncio.wrap_future(future)), limits.seconds)
     except TimeoutError as error:
         raise TooLongError(limits.seconds) from error
-    service.said(request.scope["words"], question)
-    status, headers, body = told(reply, edition, request.scope)
+    service.remember_words(request.scope["words"], question)
+    status, headers, body = http_response(reply, edition, request.scope)
     return Response(body, status, headers)
 
 
 def _words(request: Request, response: Response) -> Words:
     """Return what answers quick questions, and have ``response`` tell of which edition it is."""
     edition = _service(request).current()
-    response.headers.update(edition_told(edition))
+    response.headers.update(edition_headers(edition))
     return edition.words
 
 
@@ -255,7 +255,7 @@ def _service(request: Request) -> FoonService:
     return service
 
 
-def _told(_: Request, error: Exception) -> Response:
+def _error_response(_: Request, error: Exception) -> Response:
     if not isinstance(error, FoonError):
         raise error
     reply = Reply.of_error(error)
@@ -271,7 +271,7 @@ def _invalid(_: Request, error: Exception) -> Response:
     place, hint = ".".join(map(str, first["loc"])), "See /api/docs."
     message = f"{place}: {first['msg']}"
     if first["type"] == "string_too_long":  # a cook can be told that, too
-        message = f"“{first['input'][:_TOLD]}…” is longer than {first['ctx']['max_length']} characters"
+        message = f"“{first['input'][:_SHOWN_LETTERS]}…” is longer than {first['ctx']['max_length']} characters"
         hint = f"Write it shorter ({place} in the API)."
     told = FoonError(message, hint=hint, code="request")
     return Response(Reply.of_error(told).body, 422, media_type="application/json")

@@ -8,6 +8,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from foon_kg.model import DISH_TYPES
 
+# far more than recipes and kitchens have: what is larger was not written by a cook, and would only take time
 MOST_INGREDIENTS = 60
 MOST_THINGS = 200
 MOST_LETTERS = 100

@@ -139,7 +139,7 @@ class BodyLimit:
         if body is None:
             large = FoonError(f"the body has more than {most} bytes", hint="Ask for less at once.", code="size")
             return await refuse(scope, send, 413, large, {"connection": "close"})
-        return await self.app(scope, again(body, receive), send)
+        return await self.app(scope, replaying(body, receive), send)
 
     async def _read(self, headers: Headers, receive: Receive, most: int) -> bytes | None:
         """Return the body; ``None`` where it has more than ``most`` bytes."""
@@ -156,7 +156,7 @@ class BodyLimit:
                 return bytes(body)
 
 
-def again(body: bytes, receive: Receive) -> Receive:
+def replaying(body: bytes, receive: Receive) -> Receive:
     """Return what gives the ``body`` that was read once more, then what ``receive`` gives."""
     told = False
 

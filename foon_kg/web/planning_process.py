@@ -23,6 +23,7 @@ BEGINNING = 120.0
 """Seconds within which a process has to be ready: a FOON of 200,000 units takes it twenty."""
 
 _ENDING = 5.0
+"""Seconds for which the exit code of a process is waited for whose pipe has ended."""
 
 _IDLE = 0.5
 """Seconds without a question after which a process practises: a dish takes it some 20 ms, which a question may wait."""

@@ -46,6 +46,7 @@ _NO_TOKEN = FoonError(
     code="token",
 )
 _SHORTEST = 16
+"""Letters: a token of fewer could be guessed, at 50 requests a second."""
 _NAME = re.compile(r"(?=.{1,253}$)[a-z0-9]([a-z0-9-]{0,61}[a-z0-9])?(\.[a-z0-9]([a-z0-9-]{0,61}[a-z0-9])?)*")
 
 

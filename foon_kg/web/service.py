@@ -105,20 +105,20 @@ class FoonService:
         self._reader = ThreadPoolExecutor(1, "foon-reading")
         self.reading: Future[Edition] | None = None
         self._kept: OrderedDict[Question, Future[Reply]] = OrderedDict()
-        self._said: OrderedDict[bytes, Question] = OrderedDict()
+        self._words: OrderedDict[bytes, Question] = OrderedDict()
 
-    def said(self, words: bytes, question: Question) -> None:
+    def remember_words(self, words: bytes, question: Question) -> None:
         """Remember in which ``words`` a question was asked: whoever says them again need not be understood again."""
         with self._turn:
-            self._said[words] = question
-            while len(self._said) > MOST_KEPT:
-                self._said.popitem(last=False)
+            self._words[words] = question
+            while len(self._words) > MOST_KEPT:
+                self._words.popitem(last=False)
 
-    def answered(self, words: bytes) -> tuple[Edition, Reply] | None:
+    def kept_answer(self, words: bytes) -> tuple[Edition, Reply] | None:
         """Return the answer to what was said before in the same ``words``; ``None`` where it is not there at once."""
         name = self._foon.fresh()
         with self._turn:
-            question, edition = self._said.get(words), self._edition
+            question, edition = self._words.get(words), self._edition
             if question is None or edition is None or edition.name != name:
                 return None
             kept = self._kept.get(question)
@@ -165,7 +165,7 @@ class FoonService:
                 self._kept.popitem(last=False)
             return edition, future
 
-    def there(self) -> tuple[Edition | None, int]:
+    def standing(self) -> tuple[Edition | None, int]:
         """Return the edition that answers, if any does yet, and how many answers are kept; waits for nobody."""
         with self._turn:
             return self._edition, len(self._kept)

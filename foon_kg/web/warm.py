@@ -16,6 +16,7 @@ from foon_kg.web.foon import Served
 from foon_kg.web.planning import PlanningDesk
 
 _DISHES = 8
+"""So many dishes of the demo are planned: they load the modules and tables that plans need."""
 
 
 def _plan_some() -> None:

@@ -27,7 +27,7 @@ def metrics(request: Request) -> Response:
     """Return what was counted since the service began, in the text format of Prometheus."""
     counted: Metrics = request.app.state.metrics
     service = request.app.state.service
-    edition, kept = service.there()
+    edition, kept = service.standing()
     size = edition.words.size if edition else None
     beside = {
         "foon_ready": ("Whether a FOON is there to answer from.", float(edition is not None)),

@@ -9,6 +9,7 @@ from foon_kg.model import ObjectNode
 
 _OUTSIDE = re.compile(r"[^a-z0-9]+")
 _LONGEST = 60
+"""Letters of a name: it can still be read; the number in front of it tells it from others."""
 
 
 def slug(text: str) -> str:

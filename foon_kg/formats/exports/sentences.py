@@ -31,6 +31,7 @@ from foon_kg.plans.measures import measured_words
 
 _PLACES = frozenset({"in", "inside", "on", "over", None})
 _FEW = 3
+"""So many foods are named one by one; of more it is “everything”, as a cook says it."""
 
 
 MOST_SAID = 1 << 12

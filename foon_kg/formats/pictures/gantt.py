@@ -47,10 +47,10 @@ def schedule_svg(tree: ShownTree, plan: Schedule, width: float = WIDTH) -> str:
     Bars of untimed steps are hollow.
     """
     sheet = _Sheet(tree, plan, width)
-    head = [*_told(tree.title, width, "name", 18), *_told(summary(plan), width, "aside", 12)]
+    head = [*_lines_of(tree.title, width, "name", 18), *_lines_of(summary(plan), width, "aside", 12)]
     axis = 34 + height_of(head) + 48
     rows = axis + 8
-    foot = _told(CAUTION, width, "aside", 11)
+    foot = _lines_of(CAUTION, width, "aside", 11)
     bottom = rows + sheet.tops[-1]
     root = picture(width, bottom + 12 + height_of(foot) + _EDGE, f"Schedule: {tree.title}. {summary(plan)}")
     _write(root, head, 34)
@@ -161,7 +161,7 @@ class _Sheet:
         return f"{when}: {what}; {who}; {seen}"
 
 
-def _told(text: str, width: float, kind: str, size: float) -> list[Line]:
+def _lines_of(text: str, width: float, kind: str, size: float) -> list[Line]:
     return [Line(line, kind, size, bold=kind == "name") for line in wrapped(text, width - 2 * _EDGE, size)]
 
 

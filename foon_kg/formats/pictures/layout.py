@@ -26,7 +26,7 @@ LAYER_GAP = 30.0
 ROW = 2400.0
 """How wide a row of parts is at most, as a rule."""
 _WAY_GAP = 10.0
-_SWEEPS = 60
+_SWEEPS = 60  # half of them from one side alone, which brings boxes near; then from both, which lets them rest
 _STRAIGHT = 6.0  # a long arrow is pulled straight more strongly than a box is pulled under another
 
 

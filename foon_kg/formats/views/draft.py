@@ -13,6 +13,7 @@ from foon_kg.language.drafting.review import SURE, Missing
 from foon_kg.model import FunctionalUnit, ObjectNode
 
 _LIKELY = 0.5
+"""From this confidence on a row is more likely right than not, and is shown green."""
 
 
 def draft_view(draft: DraftFile, missing: Sequence[Missing], *, worst_first: bool = False) -> RenderableType:

@@ -11,6 +11,7 @@ from foon_kg.web.asking import MOST_LETTERS, Asked, DishType
 from foon_kg.web.explore.network import Filters
 
 MOST_SHOWN = 500
+"""So many things a page may say that it draws already: it is told of at most 150 new ones at a time."""
 LONGEST_ID = 400
 """An id is a kind and a name: files may have long ones."""
 

@@ -16,6 +16,7 @@ SECONDS = 10.0
 """How long a question may take."""
 
 _MOST_AT_ONCE = 2
+"""So many questions of people are under way at a time, each up to SECONDS: plans are asked of the same Neo4j."""
 _HINTS = {
     "too-much": "Ask for fewer rows or columns, or for counts.",
     "memory": "Ask for less at once.",
