@@ -167,3 +167,10 @@ def test_flour_that_is_seasoned_is_for_the_meat_of_a_pie(steps):
     asked = ("beef:cut", "flour:seasoned", "onion:chopped", "oil:liquid", "ale:liquid", "flour:plain", "lard:diced")
     told = steps("pie", "Beef and ale pie", *asked)
     assert any(one == "pour" and {"flour", "cooking pan"} <= inputs for inputs, one, _ in told)
+
+
+def test_herbs_are_stirred_with_oil_on_an_open_dough_and_what_is_crisp_stays_raw(steps):
+    asked = ("flour:powder", "yeast:dried", "water:warm", "olive oil:liquid", "za'atar:ground", "tomatoes:sliced")
+    told = steps("pizza", "Manakish", *asked, "cucumber:sliced")
+    assert inside(told, "mix") >= {"za'atar", "olive oil"}
+    assert motions(told).index("bake") < max(n for n, (inputs, _, _) in enumerate(told) if "cucumber" in inputs)
