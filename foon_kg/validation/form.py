@@ -234,7 +234,7 @@ def _brought_on(case: Case, node: ObjectNode, place: int) -> bool:
     said = case.read(node)
     if said.is_food:
         return not any(part.name == said.label and part.taken == place for part in happening.taken)
-    fetched = {part.name for part in happening.taken if part.untold}
+    fetched = {part.name for part in happening.taken if part.unstated}
     return bool(said.names) and said.names.isdisjoint(fetched)
 
 

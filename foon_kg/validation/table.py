@@ -51,7 +51,7 @@ def raw(case: Case) -> Iterator[Finding]:
 def _eaten_cooked(case: Case, called: Sequence[Dish]) -> list[Part]:
     """Return the parts of the dish that nobody eats raw, in a dish that is ``called`` so."""
     eaten_raw = frozenset(kind for dish in called for kind in dish.raw)
-    told = [part for part in case.parts if not part.untold and not part.remains]
+    told = [part for part in case.parts if not part.unstated and not part.remains]
     return [part for part in told if not part.food.is_a(*eaten_raw)]
 
 
@@ -80,7 +80,7 @@ def _owed_heat(case: Case, part: Part) -> Iterator[tuple[str, Level]]:
 
 def _never_hot(case: Case) -> Iterator[Finding]:
     """Yield flour that nothing heated, whatever was stirred into it, and what was to make it rise."""
-    ours = [part for part in case.parts if not part.remains and not part.untold]
+    ours = [part for part in case.parts if not part.remains and not part.unstated]
     dusts = any(part.food.is_a(*word_list("is dusted with starch")) for part in ours)
     for part in _raised(ours):
         dust = dusts and part.food.is_a("starch")
@@ -101,7 +101,7 @@ def whole(case: Case) -> Iterator[Finding]:
         if part.remains:
             if not _asked_so(case, part):
                 yield Finding("K2", f"the remains of {part.name} are in the dish")
-        elif not part.untold:
+        elif not part.unstated:
             yield from _untreated(part)
             if part.food.is_a(*word_list("is taken out of the dish")) and _is_left_in(case, part):
                 yield Finding("K2", f"{part.name} is in the dish, and nobody eats it", minor=True)

@@ -58,7 +58,7 @@ def _names(sources: Sequence[Lump]) -> list[set[str]]:
     return [set(name.split()) for lump in sources for name in lump.names]
 
 
-@lru_cache(maxsize=1 << 17)
+@lru_cache(maxsize=1 << 17)  # every need of a dish is asked of every food in it, in each tree that is tried
 def meets(need: str, food: Food, known: Tables) -> bool:
     """Return whether ``food`` is what a table's ``need`` says: ``kind:x``, ``trait:x``, a kind, or a word of its name.
 

@@ -111,7 +111,7 @@ def _there_with(lump: Lump) -> set[str]:
 
 def _bring(out: Outcome, name: str, node: ObjectNode, lump: Lump) -> None:
     """Bring into a food one of the foods that its node says it holds."""
-    if all(part.untold for part in lump.parts):
+    if all(part.unstated for part in lump.parts):
         lump.take(out.supply.name_lump(name, out.happening.number, None).parts)  # told now of what it is made
         return
     some = _clings(out, name, lump)

@@ -27,9 +27,8 @@ class Happening:
 
     ``moved`` has each lump that came to another place, with the places before and after; ``treated`` what the motion
     worked on, ``heated`` the vessels that stood over heat while it cooked, ``taken`` the parts that were fetched
-    from the kitchen, ``made`` the products. ``vessels`` are those that took part, ``hot`` those
-    that hold food over heat afterwards,
-    ``in_oven`` whether what was heated stood in an oven, ``emptied`` those that hold nothing any more.
+    from the kitchen, ``made`` the products. ``vessels`` are those that took part, ``hot`` those that hold food over
+    heat afterwards, ``in_oven`` whether what was heated stood in an oven, ``emptied`` those that hold nothing any more.
     ``said_in`` and ``said_out`` are what the nodes of the step say, in their order.
     """
 

@@ -22,10 +22,12 @@ _PLACE = re.compile(r"(?:in|on|inside|from) \[([^\]]+)\]")
 
 @dataclass(frozen=True, eq=False)
 class Said:
-    """What a node says. Names are in the singular; ``place`` is the label of the vessel or food it is in or on.
+    """What a node says. Names are in the singular: ``names`` are the foods that it holds, utensils apart.
 
-    ``empty``, ``on``, ``off``, ``hot``, ``covered`` and ``uncovered`` are claims about a utensil. ``undivided`` says
-    that a food is one piece as it was bought or peeled, ``remains`` that it is what nobody eats.
+    ``place`` is the label of the vessel or food it is in or on, ``covers`` that of what it lies over or is held to
+    without being in it (a lid, a burner under its pan). ``fine`` is how small its pieces are, ``earns`` what its states
+    say was done to it. ``empty``, ``on``, ``off``, ``hot``, ``covered`` and ``uncovered`` are claims about a utensil.
+    ``undivided`` says that a food is one piece as it was bought or peeled, ``remains`` that it is what nobody eats.
     """
 
     node: ObjectNode

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 
-_SEVERAL = 2
+_SEVERAL = 2  # foods make a mixture
 
 
 def is_runny(label: str, states: Sequence[str], parts: Sequence[str], known: Tables) -> bool:

@@ -269,12 +269,12 @@ class Supply:
         """Return the food ``label``, there from the start, with the history that its ``states`` tell.
 
         It is ``where`` the step with the number ``step`` finds it. ``number`` is that of the thing in the tree, if it
-        has one; ``names`` are the foods that it holds untold.
+        has one; ``names`` are the foods that it holds, of which no state is known.
         """
         parts = [self.new_part(label, states, step)]
         held = [self.new_part(name, (), step) for name in sorted(names - {label})]
         for part in held:
-            part.untold = True
+            part.unstated = True
         parts += held
         lump = Lump(label, {label}, states, parts, number=number, last=step)
         self.keep(lump, where)
@@ -284,7 +284,7 @@ class Supply:
         """Return the food ``name`` that only a ``{}`` tells of, ``where`` the step of number ``step`` finds it."""
         lump = self.new_lump(name, (), step, where)
         for part in lump.parts:
-            part.untold = True
+            part.unstated = True
         return lump
 
     def new_part(self, label: str, states: tuple[str, ...], step: int) -> Part:

@@ -20,7 +20,7 @@ class Part:
     assumed so. ``fine`` says how small its pieces are, 0 whole to 5 powder. ``remains`` is what nobody eats (a husk, a
     skin). ``joined`` is the step that last brought it to other foods, ``mixed`` the one that last mixed it with them,
     ``heated`` the one that last heated it, ``cooled`` the first one after that at which it waited or was rinsed.
-    ``untold``: nobody ever said in which state it is (a name in a ``{}``), so that it is not judged raw or whole.
+    ``unstated``: nobody ever said in which state it is (a name in a ``{}``), so that it is not judged raw or whole.
     ``spoonful``: it came in a spoon, too little to cook anything in. ``origin`` numbers what was taken once: portions
     of it have the same. ``name`` is the food's, in the singular.
     """
@@ -35,7 +35,7 @@ class Part:
     mixed: int | None = None
     heated: int | None = None
     cooled: int | None = None
-    untold: bool = False
+    unstated: bool = False
     spoonful: bool = False
     origin: int = 0
     name: str = field(init=False)
@@ -52,7 +52,7 @@ class Part:
         """Return another portion of it; one that ``remains`` is left over."""
         return Part(
             self.food, self.states, self.taken, dict(self.done), self.fine, remains or self.remains,
-            self.joined, self.mixed, self.heated, self.cooled, self.untold, self.spoonful, self.origin,
+            self.joined, self.mixed, self.heated, self.cooled, self.unstated, self.spoonful, self.origin,
         )  # fmt: skip
 
 

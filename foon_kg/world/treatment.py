@@ -29,6 +29,8 @@ ADVISED = frozenset({"thaw", "soak", "drain", "wash", "open"})
 """Treatments that nobody is judged by: what a motion can give is believed."""
 
 FINE = {"grate": 4, "grind": 5, "blend": 5, "mash": 5, "cut": 2}
+"""How fine pieces are after each class of motion (:class:`~foon_kg.food.rows.State`)."""
+
 _BY_HAND = ("cut", "grate", "grind", "mash", "peel", "core", "stone", "shell", "husk", "open", "clean", "squeeze")
 _GATHERS = ("mix", "blend", "mash", "knead", "whip", "heat")
 

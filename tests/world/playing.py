@@ -77,7 +77,7 @@ def histories(world):
         + "".join(
             f" {name} {step}" for name in ("joined", "mixed", "heated") if (step := getattr(part, name)) is not None
         )
-        + "".join(f" {name}" for name in ("remains", "untold", "spoonful") if getattr(part, name))
+        + "".join(f" {name}" for name in ("remains", "unstated", "spoonful") if getattr(part, name))
         for part in world.supply.parts
     ]
 

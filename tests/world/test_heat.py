@@ -120,7 +120,7 @@ egg (whole) + bowl (empty) → CRACK → egg shell (in bin) + egg (cracked; in b
         """
 bowl ({apple}) + cup (empty) + glass (empty) → SEPARATE → apple (in cup) + apple (in glass)
 """,
-        ["apple: untold", "apple: untold"],
+        ["apple: unstated", "apple: unstated"],
     ),
 ]
 

@@ -29,7 +29,7 @@ tomato (canned) + onion (powder) + egg (whole) + apple (whole) + bowl (empty) �
         """
 bowl ({tomato}) + plate (empty) → POUR → plate ({tomato}) + bowl (empty)
 """,
-        ["tomato: untold"],
+        ["tomato: unstated"],
     ),
     story(
         "each treatment is dated by its first step",
@@ -105,7 +105,7 @@ bean (dry) + bowl (empty) → SOAK → bean (soaked; in bowl)
             "apple: core 1",
             "cherry: stone 2",
             "corn: husk 3",
-            "tuna: untold",
+            "tuna: unstated",
             "lettuce: wash 5",
             "bean: soak 6",
         ],
@@ -144,7 +144,7 @@ carrot (whole; in bowl) + knife → SLICE → knife (dirty)
 carrot (whole) + bowl (empty) → PUT → carrot (whole; in bowl) + bowl ({carrot})
 bowl ({carrot}) + spoon + jar ({jam}) → MASH → bowl ({carrot})
 """,
-        ["carrot: cut 1 mash 1 fine 5", "jam: untold"],
+        ["carrot: cut 1 mash 1 fine 5", "jam: unstated"],
     ),
     story(
         "remains are not worked on",

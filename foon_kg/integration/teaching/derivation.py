@@ -69,7 +69,7 @@ class _Derivation:
         called = {compact(goal.label), compact(lump.label)} - self.played.fetched
 
         def is_only_named(part: Part) -> bool:
-            return part.untold and (compact(part.name) in called or not self.played.goes_in(part))
+            return part.unstated and (compact(part.name) in called or not self.played.goes_in(part))
 
         return {number: part for number, part in parts.items() if not is_only_named(part)} or parts
 

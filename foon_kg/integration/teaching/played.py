@@ -88,7 +88,7 @@ class Played:
 
     def came_mixed(self, part: Part) -> bool:
         """Return whether a part is only told as an ingredient of something that nobody made: it was lost before."""
-        if not part.untold:
+        if not part.unstated:
             return False
         foods = [
             node for node in self.units[part.taken].input_nodes if self.known.utensil(singular(node.label)) is None
