@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from importlib.util import find_spec
 
 import pytest
 from exports.odd_trees import ODD, of_file
@@ -15,8 +16,9 @@ from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, S
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 
-pytest.importorskip("unified_planning", reason="the extra [planners] is not installed")
-pytest.importorskip("up_fast_downward", reason="the extra [planners] is not installed")
+# to import them takes a second, of each process that collects the tests
+THERE = all(find_spec(name) for name in ("unified_planning", "up_fast_downward"))
+pytestmark = pytest.mark.skipif(not THERE, reason="the extra [planners] is not installed")
 
 
 @pytest.fixture

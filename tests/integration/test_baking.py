@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from planner.public_foon import public_snapshot
+from planner.public_foon import public_planner
 
 from foon_kg.food import tables
 from foon_kg.integration.composing.parts import parts_of
@@ -11,8 +11,6 @@ from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
 from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.teaching.operators import Operators
 from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.planning.planner import Planner
-from foon_kg.planning.settings import PlanSettings
 
 KNOWN = tables()
 CAKE = {
@@ -37,8 +35,7 @@ def names(part):
 
 @pytest.fixture(scope="module")
 def planner():
-    snapshot = public_snapshot()
-    return Planner(snapshot, PlanSettings(), snapshot.units)
+    return public_planner()
 
 
 def steps(planner, dish_type, title, foods):

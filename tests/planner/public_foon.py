@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -23,17 +24,25 @@ SHARED = Path(__file__).resolve().parents[2] / ".." / "shared" / "data"
 Answer = PlanResult | PlanFailure
 
 
+@cache
 def public_snapshot() -> Snapshot:
-    """Return the public FOON; where its data are not there the test is skipped."""
+    """Return the public FOON, read once in a process; where its data are not there the test is skipped."""
     if not SHARED.exists():
         pytest.skip(f"the public data is not at {SHARED}")
     read = read_paths([SHARED / "foon-111" / "TXT"])
     return Snapshot.of([result.subgraph for result in read if result.subgraph is not None], Kitchen.default())
 
 
-def answers_to(recipes: Iterable[Recipe], snapshot: Snapshot) -> list[Answer]:
-    """Return a plan result or a failure for each recipe, all from one planner."""
-    planner = Planner(snapshot, PlanSettings(), snapshot.units)
+@cache
+def public_planner() -> Planner:
+    """Return the planner over all of the public FOON, made once in a process: an answer is the same after others."""
+    snapshot = public_snapshot()
+    return Planner(snapshot, PlanSettings(), snapshot.units)
+
+
+def answers_to(recipes: Iterable[Recipe]) -> list[Answer]:
+    """Return a plan result or a failure for each recipe."""
+    planner = public_planner()
     found: list[Answer] = []
     for recipe in recipes:
         try:
@@ -43,8 +52,9 @@ def answers_to(recipes: Iterable[Recipe], snapshot: Snapshot) -> list[Answer]:
     return found
 
 
-def verdicts_on(answers: Iterable[Answer], snapshot: Snapshot) -> Verdicts:
+def verdicts_on(answers: Iterable[Answer]) -> Verdicts:
     """Return what the judge says of each tree as its JSON has it, asked against the whole FOON."""
+    snapshot = public_snapshot()
     foon = validation.KnownFoon.of(snapshot.units, snapshot.goals())
     return Verdicts(
         tuple(
@@ -54,14 +64,13 @@ def verdicts_on(answers: Iterable[Answer], snapshot: Snapshot) -> Verdicts:
     )
 
 
-def faults(answers: Iterable[Answer], snapshot: Snapshot) -> list[str]:
-    """Return what is fatal in the trees among ``answers``."""
-    foon = validation.KnownFoon.of(snapshot.units, snapshot.goals())
+def faults(answers: Iterable[Answer], verdicts: Verdicts) -> list[str]:
+    """Return what is fatal in the trees among ``answers``, of which ``verdicts`` are."""
     return [
         f"{answer.recipe.id}: {finding}"
-        for answer in answers
-        if has_tree(answer)
-        for finding in validation.check(validation.tree_from_json(answer.to_json()), foon).findings
+        for answer, report in zip(answers, verdicts.reports, strict=True)
+        if report is not None
+        for finding in report.findings
         if not finding.minor
     ]
 

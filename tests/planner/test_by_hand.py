@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from planner.public_foon import answers_to, public_snapshot
+from planner.public_foon import answers_to
 
 from foon_kg.food import tables
 from foon_kg.model import Recipe, RequiredIngredient
@@ -13,15 +13,10 @@ pytestmark = [pytest.mark.shared_data, pytest.mark.slow]
 KNOWN = tables()
 
 
-@pytest.fixture(scope="module")
-def snapshot():
-    return public_snapshot()
-
-
-def units(snapshot, dish_type, title, **foods):
+def units(dish_type, title, **foods):
     """Return the units of a recipe's tree; its foods with the states in which they are asked."""
     asked = tuple(RequiredIngredient(food.replace("_", " "), state) for food, state in foods.items())
-    (answer,) = answers_to([Recipe(dish_type, asked, "x", title)], snapshot)
+    (answer,) = answers_to([Recipe(dish_type, asked, "x", title)])
     return answer.units
 
 
@@ -44,9 +39,9 @@ def brought(found, food, vessel):
 
 
 @pytest.fixture(scope="module")
-def burger(snapshot):
+def burger():
     return units(
-        snapshot, "burger", "Cheeseburger", ground_beef="", red_onion="sliced", shallot="minced",
+        "burger", "Cheeseburger", ground_beef="", red_onion="sliced", shallot="minced",
         cheddar_cheese="sliced", bun="", ketchup="", salt="",
     )  # fmt: skip
 
@@ -71,9 +66,9 @@ def test_a_pan_is_hot_when_a_patty_comes_into_it_and_a_tool_lifts_that_out(burge
     assert "turner" in labels(burger[lifted])
 
 
-def test_small_pieces_are_poured_and_never_picked_up_one_by_one(snapshot):
+def test_small_pieces_are_poured_and_never_picked_up_one_by_one():
     found = units(
-        snapshot, "chicken", "Chicken Curry", chicken_thigh="cut", onion="chopped", tomato="diced", oil="",
+        "chicken", "Chicken Curry", chicken_thigh="cut", onion="chopped", tomato="diced", oil="",
         cumin="ground", coconut_milk="",
     )  # fmt: skip
     picked = {label for unit in found if unit.motion == "pick-and-place" for label in labels(unit)}
@@ -81,29 +76,29 @@ def test_small_pieces_are_poured_and_never_picked_up_one_by_one(snapshot):
 
 
 @pytest.mark.parametrize("title", ["Banana Smoothie", "Mango Lassi"])
-def test_what_is_called_so_is_blended_though_its_fruit_is_asked_cut(snapshot, title):
-    found = units(snapshot, "drinks", title, banana="sliced", mango="chopped", yogurt="", milk="", honey="")
+def test_what_is_called_so_is_blended_though_its_fruit_is_asked_cut(title):
+    found = units("drinks", title, banana="sliced", mango="chopped", yogurt="", milk="", honey="")
     assert "blend" in motions(found, "banana")
 
 
-def test_whatever_is_asked_grated_is_grated_with_a_grater(snapshot):
-    found = units(snapshot, "salad", "Slaw", apple="grated", beet="grated", garlic="grated", mayonnaise="")
+def test_whatever_is_asked_grated_is_grated_with_a_grater():
+    found = units("salad", "Slaw", apple="grated", beet="grated", garlic="grated", mayonnaise="")
     for food in ("apple", "beet", "garlic"):
         assert any("grater" in labels(unit) for unit in found if food in labels(unit))
 
 
-def test_what_only_gives_its_taste_is_in_the_dressing(snapshot):
+def test_what_only_gives_its_taste_is_in_the_dressing():
     found = units(
-        snapshot, "salad", "Caesar Salad", romaine_lettuce="chopped", garlic="minced", anchovy="mashed", egg_yolk="",
+        "salad", "Caesar Salad", romaine_lettuce="chopped", garlic="minced", anchovy="mashed", egg_yolk="",
         olive_oil="", lemon_juice="", crouton="",
     )  # fmt: skip
     dressing = next(unit for unit in found if unit.motion == "mix" and "olive oil" in labels(unit))
     assert {"garlic", "anchovy", "egg yolk"} <= labels(dressing)
 
 
-def test_what_is_boiled_for_a_cold_salad_is_cooled_under_water(snapshot):
+def test_what_is_boiled_for_a_cold_salad_is_cooled_under_water():
     found = units(
-        snapshot, "salad", "Pasta Salad", rotini="", cherry_tomato="halved", olive="sliced", italian_dressing="",
+        "salad", "Pasta Salad", rotini="", cherry_tomato="halved", olive="sliced", italian_dressing="",
         green_bean="blanched",
     )  # fmt: skip
     for food in ("rotini", "green bean"):
@@ -112,9 +107,9 @@ def test_what_is_boiled_for_a_cold_salad_is_cooled_under_water(snapshot):
         assert not {"fry", "cook and stir"} & set(done)
 
 
-def test_flesh_without_fat_is_fried_before_what_it_is_tossed_with(snapshot):
+def test_flesh_without_fat_is_fried_before_what_it_is_tossed_with():
     found = units(
-        snapshot, "noodle", "Pad Thai", rice_noodle="", shrimp="peeled", egg="beaten", fish_sauce="", sugar="",
+        "noodle", "Pad Thai", rice_noodle="", shrimp="peeled", egg="beaten", fish_sauce="", sugar="",
         bean_sprout="",
     )  # fmt: skip
     hot = [labels(unit) for unit in found if KNOWN.motion(unit.motion).does & {"heat"}]
@@ -122,21 +117,21 @@ def test_flesh_without_fat_is_fried_before_what_it_is_tossed_with(snapshot):
     assert "rice noodle" not in hot[shrimp]
 
 
-def test_what_is_asked_ready_made_needs_no_parts(snapshot):
-    found = units(snapshot, "sandwich", "Falafel Pita", pita_bread="", falafel="", tahini="", tomato="sliced")
+def test_what_is_asked_ready_made_needs_no_parts():
+    found = units("sandwich", "Falafel Pita", pita_bread="", falafel="", tahini="", tomato="sliced")
     assert "falafel" in set().union(*map(labels, found))
 
 
-def test_a_soup_that_is_called_chilled_is_not_heated(snapshot):
+def test_a_soup_that_is_called_chilled_is_not_heated():
     found = units(
-        snapshot, "soup", "Chilled Cucumber Avocado Soup", cucumber="chopped", avocado="", buttermilk="", lime_juice="",
+        "soup", "Chilled Cucumber Avocado Soup", cucumber="chopped", avocado="", buttermilk="", lime_juice="",
     )  # fmt: skip
     assert not [unit for unit in found if KNOWN.motion(unit.motion).does & {"heat"}]
 
 
-def test_flesh_in_pieces_is_fried_with_its_vegetables_and_then_laid_on_bread(snapshot):
+def test_flesh_in_pieces_is_fried_with_its_vegetables_and_then_laid_on_bread():
     found = units(
-        snapshot, "chicken", "Chicken Fajitas", chicken_breast="sliced", bell_pepper="sliced", onion="sliced", oil="",
+        "chicken", "Chicken Fajitas", chicken_breast="sliced", bell_pepper="sliced", onion="sliced", oil="",
         tortilla="",
     )  # fmt: skip
     hot = [labels(unit) for unit in found if KNOWN.motion(unit.motion).does & {"heat"}]
@@ -144,8 +139,6 @@ def test_flesh_in_pieces_is_fried_with_its_vegetables_and_then_laid_on_bread(sna
     assert not any("tortilla" in there for there in hot)
 
 
-def test_meat_that_is_done_is_not_cooked_again_for_bread(snapshot):
-    found = units(
-        snapshot, "sandwich", "Roast Beef Sandwich", rye_bread="", roast_beef="sliced", cheese="", tomato="sliced"
-    )
+def test_meat_that_is_done_is_not_cooked_again_for_bread():
+    found = units("sandwich", "Roast Beef Sandwich", rye_bread="", roast_beef="sliced", cheese="", tomato="sliced")
     assert not [unit for unit in found if KNOWN.motion(unit.motion).does & {"heat"}]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from planner.public_foon import answers_to, public_snapshot
+from planner.public_foon import answers_to
 
 from foon_kg.food import tables
 from foon_kg.model import Recipe, RequiredIngredient
@@ -13,15 +13,10 @@ pytestmark = [pytest.mark.shared_data, pytest.mark.slow]
 KNOWN = tables()
 
 
-@pytest.fixture(scope="module")
-def snapshot():
-    return public_snapshot()
-
-
-def steps(snapshot, dish_type, title, **foods):
+def steps(dish_type, title, **foods):
     """Return the motion of every step of a tree with the labels of what goes in."""
     asked = tuple(RequiredIngredient(food.replace("_", " "), state) for food, state in foods.items())
-    (answer,) = answers_to([Recipe(dish_type, asked, "x", title)], snapshot)
+    (answer,) = answers_to([Recipe(dish_type, asked, "x", title)])
     return [(unit.motion, {node.label for node in unit.input_nodes}) for unit in answer.units]
 
 
@@ -33,18 +28,18 @@ def places(done, *foods, does=None):
     ]  # fmt: skip
 
 
-def test_water_boils_before_pasta_comes_and_that_is_boiled_when_its_sauce_is_ready(snapshot):
+def test_water_boils_before_pasta_comes_and_that_is_boiled_when_its_sauce_is_ready():
     done = steps(
-        snapshot, "pasta", "Spaghetti Bolognese", spaghetti="uncooked", ground_beef="raw", onion="chopped",
+        "pasta", "Spaghetti Bolognese", spaghetti="uncooked", ground_beef="raw", onion="chopped",
         canned_tomato="canned", olive_oil="liquid",
     )  # fmt: skip
     assert done[places(done, "spaghetti")[0] - 1][0] == "boil"
     assert places(done, "canned tomato", does={"heat"})[0] < places(done, "spaghetti")[0]
 
 
-def test_what_lies_on_noodles_comes_when_nothing_is_cooked_any_more(snapshot):
+def test_what_lies_on_noodles_comes_when_nothing_is_cooked_any_more():
     done = steps(
-        snapshot, "noodle", "Noodles", noodle="uncooked", chicken_breast="sliced", oil="liquid", peanut="chopped",
+        "noodle", "Noodles", noodle="uncooked", chicken_breast="sliced", oil="liquid", peanut="chopped",
         lime="wedges", green_onion="sliced",
     )  # fmt: skip
     hot = places(done, does={"heat"})
@@ -52,29 +47,27 @@ def test_what_lies_on_noodles_comes_when_nothing_is_cooked_any_more(snapshot):
     assert all(places(done, food)[-1] > hot[-1] for food in ("peanut", "lime", "green onion"))
 
 
-def test_a_soup_is_blended_when_it_is_soft_and_one_with_pieces_is_not(snapshot):
+def test_a_soup_is_blended_when_it_is_soft_and_one_with_pieces_is_not():
     squash = steps(
-        snapshot, "soup", "Squash Soup", butternut_squash="cubed", onion="chopped", vegetable_broth="liquid",
+        "soup", "Squash Soup", butternut_squash="cubed", onion="chopped", vegetable_broth="liquid",
         butter="stick",
     )  # fmt: skip
     assert places(squash, does={"heat"})[-1] < places(squash, does={"blend"})[0]
     pasta = steps(
-        snapshot, "soup", "Minestrone", canned_tomato="canned", onion="chopped", vegetable_broth="liquid", ditalini="",
+        "soup", "Minestrone", canned_tomato="canned", onion="chopped", vegetable_broth="liquid", ditalini="",
     )  # fmt: skip
     assert not places(pasta, does={"blend"})
 
 
-def test_a_cold_soup_is_not_heated(snapshot):
-    done = steps(
-        snapshot, "soup", "Gazpacho", tomato="chopped", cucumber="chopped", olive_oil="liquid", tomato_juice="liquid"
-    )
+def test_a_cold_soup_is_not_heated():
+    done = steps("soup", "Gazpacho", tomato="chopped", cucumber="chopped", olive_oil="liquid", tomato_juice="liquid")
     assert places(done, does={"blend"})
     assert not places(done, does={"heat"})
 
 
-def test_a_stew_is_cooked_in_one_pot_whatever_a_like_dish_does(snapshot):
+def test_a_stew_is_cooked_in_one_pot_whatever_a_like_dish_does():
     done = steps(
-        snapshot, "beef", "Beef Stew", beef="cubed", onion="chopped", potato="cubed", beef_broth="liquid",
+        "beef", "Beef Stew", beef="cubed", onion="chopped", potato="cubed", beef_broth="liquid",
         flour="powder", oil="liquid",
     )  # fmt: skip
     assert not places(done, does={"shape"})
@@ -82,26 +75,26 @@ def test_a_stew_is_cooked_in_one_pot_whatever_a_like_dish_does(snapshot):
     assert first == sorted(set(first))
 
 
-def test_flour_is_stirred_into_the_fat_before_milk_comes_though_the_dish_is_baked(snapshot):
+def test_flour_is_stirred_into_the_fat_before_milk_comes_though_the_dish_is_baked():
     done = steps(
-        snapshot, "potatoes", "Scalloped Potatoes", potato="sliced", butter="stick", flour="powder", milk="liquid",
+        "potatoes", "Scalloped Potatoes", potato="sliced", butter="stick", flour="powder", milk="liquid",
         cheddar_cheese="shredded",
     )  # fmt: skip
     first = [places(done, food, does={"heat"})[0] for food in ("flour", "milk", "cheddar cheese")]
     assert first == sorted(set(first))
 
 
-def test_meat_in_pieces_is_cooked_in_its_sauce_though_the_likest_dish_bakes(snapshot):
+def test_meat_in_pieces_is_cooked_in_its_sauce_though_the_likest_dish_bakes():
     done = steps(
-        snapshot, "chicken", "Butter Chicken", chicken_thigh="cubed", onion="chopped", tomato_puree="sauce",
+        "chicken", "Butter Chicken", chicken_thigh="cubed", onion="chopped", tomato_puree="sauce",
         heavy_cream="liquid", butter="stick", garam_masala="ground",
     )  # fmt: skip
     assert not places(done, does={"dry"})
 
 
-def test_no_machine_makes_a_part_by_which_nobody_calls_the_dish(snapshot):
+def test_no_machine_makes_a_part_by_which_nobody_calls_the_dish():
     done = steps(
-        snapshot, "pasta", "Linguine with Clams", linguine="uncooked", clam="raw", garlic="sliced", olive_oil="liquid",
+        "pasta", "Linguine with Clams", linguine="uncooked", clam="raw", garlic="sliced", olive_oil="liquid",
         parsley="chopped", lemon="juice",
     )  # fmt: skip
     assert not places(done, does={"blend"})
@@ -111,14 +104,14 @@ POTS = {"pot", "cooking pan", "saucepan", "wok"}
 NOODLES = {"noodle": "uncooked", "beef": "sliced", "onion": "chopped", "soy_sauce": "liquid", "water": "liquid"}
 
 
-def plan_of(snapshot, dish_type, **foods):
+def plan_of(dish_type, **foods):
     asked = tuple(RequiredIngredient(food.replace("_", " "), state) for food, state in foods.items())
-    (answer,) = answers_to([Recipe(dish_type, asked, "x", None)], snapshot)
+    (answer,) = answers_to([Recipe(dish_type, asked, "x", None)])
     return answer.units
 
 
-def test_nothing_is_called_noodle_before_noodles_are_in_it_and_they_are_stirred_in(snapshot):
-    units = plan_of(snapshot, "noodle", oil="liquid", broccoli="chopped", cream="liquid", **NOODLES)
+def test_nothing_is_called_noodle_before_noodles_are_in_it_and_they_are_stirred_in():
+    units = plan_of("noodle", oil="liquid", broccoli="chopped", cream="liquid", **NOODLES)
     called = [node for unit in units for node in unit.output_nodes if node.label == "noodle" and node.ingredients]
     assert called
     assert all("noodle" in node.ingredients for node in called)
@@ -126,11 +119,11 @@ def test_nothing_is_called_noodle_before_noodles_are_in_it_and_they_are_stirred_
     assert "mix" in KNOWN.motion(units[last + 1].motion).does
 
 
-def test_no_second_vessel_comes_onto_the_stove_beside_one_that_is_done(snapshot):
+def test_no_second_vessel_comes_onto_the_stove_beside_one_that_is_done():
     rice = {"rice": "cooked", "oil": "liquid", "egg": "whipped", "parsnip": "diced", "garlic": "minced"}
     for units in (
-        plan_of(snapshot, "rice", **rice),
-        plan_of(snapshot, "noodle", oil="liquid", cream="liquid", **NOODLES),
+        plan_of("rice", **rice),
+        plan_of("noodle", oil="liquid", cream="liquid", **NOODLES),
     ):
         there: set[int | None] = set()
         for unit in units:
@@ -140,8 +133,8 @@ def test_no_second_vessel_comes_onto_the_stove_beside_one_that_is_done(snapshot)
         assert any("stove" in {node.label for node in unit.output_nodes} for unit in units)
 
 
-def test_rice_beside_what_is_no_dish_of_rice_is_not_stirred_into_it(snapshot):
+def test_rice_beside_what_is_no_dish_of_rice_is_not_stirred_into_it():
     foods = {"beef": "sliced", "broccoli": "floret", "soy_sauce": "liquid", "oil": "liquid", "rice": "steamed"}
-    units = plan_of(snapshot, "stir-fry", **foods)
+    units = plan_of("stir-fry", **foods)
     last = max(number for number, unit in enumerate(units) if "rice" in {n.label for n in unit.input_nodes})
     assert not any("mix" in KNOWN.motion(unit.motion).does for unit in units[last:])

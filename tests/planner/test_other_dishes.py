@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from planner.other_dishes import other_dishes, unseen_dishes
-from planner.public_foon import answers_to, failures, faults, public_snapshot, verdicts_on
+from planner.public_foon import answers_to, failures, faults, verdicts_on
 
 from foon_kg.plans.result import PlanResult
 
@@ -17,17 +17,17 @@ WITH_GOALS = ("bread", "cake", "chicken", "cookie", "noodle", "pasta", "pizza", 
 
 
 @pytest.fixture(scope="module")
-def snapshot():
-    return public_snapshot()
+def answers():
+    return answers_to([*other_dishes(), *unseen_dishes()])
 
 
 @pytest.fixture(scope="module")
-def answers(snapshot):
-    return answers_to([*other_dishes(), *unseen_dishes()], snapshot)
+def verdicts(answers):
+    return verdicts_on(answers)
 
 
-def test_no_tree_has_a_fatal_finding(answers, snapshot):
-    assert faults(answers, snapshot) == []
+def test_no_tree_has_a_fatal_finding(answers, verdicts):
+    assert faults(answers, verdicts) == []
 
 
 def test_where_there_is_no_tree_the_reason_and_a_way_out_are_told(answers):
@@ -42,8 +42,8 @@ def test_a_dish_type_with_goals_in_the_foon_gives_trees(answers, dish_type):
     assert any(isinstance(answer, PlanResult) for answer in answers if answer.recipe.dish_type == dish_type)
 
 
-def test_nearly_all_have_a_tree_and_so_many_robot_and_cook_accept(answers, snapshot):
-    found = verdicts_on(answers, snapshot)
+def test_nearly_all_have_a_tree_and_so_many_robot_and_cook_accept(answers, verdicts):
+    found = verdicts
     assert len(found.trees) >= TREES * len(answers)
     assert found.share(found.robot) >= ROBOT
     assert found.share(found.cook) >= COOK

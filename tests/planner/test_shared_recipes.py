@@ -28,7 +28,12 @@ def answers(snapshot):
     words = IngredientWords(snapshot.vocabulary(), snapshot.kitchen)
     folders = sorted((SHARED / "queries").iterdir())
     paths = [path for folder in folders for path in sorted(folder.glob("*.json"))]
-    return answers_to((read_recipe(path, words).recipe for path in paths), snapshot)
+    return answers_to(read_recipe(path, words).recipe for path in paths)
+
+
+@pytest.fixture(scope="module")
+def verdicts(answers):
+    return verdicts_on(answers)
 
 
 def test_every_answer_says_in_json_all_that_it_says(answers):
@@ -45,8 +50,8 @@ def test_where_there_is_no_tree_the_reason_names_a_rule_or_the_goal(answers):
         assert failure.hint
 
 
-def test_no_tree_has_a_fatal_finding(answers, snapshot):
-    assert faults(answers, snapshot) == []
+def test_no_tree_has_a_fatal_finding(answers, verdicts):
+    assert faults(answers, verdicts) == []
 
 
 def test_a_recipe_has_the_same_answer_from_the_units_behind_its_goals_as_from_the_whole_foon(snapshot, answers):
@@ -56,8 +61,8 @@ def test_a_recipe_has_the_same_answer_from_the_units_behind_its_goals_as_from_th
             assert planner.plan(answer.recipe).to_json() == answer.to_json()
 
 
-def test_so_many_trees_robot_and_cook_accept(answers, snapshot):
-    found = verdicts_on(answers, snapshot)
+def test_so_many_trees_robot_and_cook_accept(answers, verdicts):
+    found = verdicts
     assert found.share(found.robot) >= ROBOT
     assert found.share(found.cook) >= COOK
     assert found.share(found.accepted) >= ACCEPTED

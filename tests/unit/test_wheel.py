@@ -67,6 +67,7 @@ def installed(wheel, folder, extra=None, beside=None):
     locked = re.findall(r"^([\w.-]+==[^\\\n]+)", (ROOT / "requirements-dev.txt").read_text("utf-8"), re.MULTILINE)
     (folder / "versions.txt").write_text("\n".join(locked))
     pip = [sys.executable, "-m", "pip", "--python", python, "install", "--quiet", "--disable-pip-version-check"]
+    pip.append("--no-compile")  # of what is installed a command imports a tenth, and keeps that compiled
     asked = str(wheel) if extra is None else f"{wheel}[{extra}]"
     subprocess.run([*pip, "-c", folder / "versions.txt", asked], check=True)
     return python
