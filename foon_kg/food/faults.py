@@ -31,8 +31,9 @@ FOODS: Mapping[str, Mapping[str, str]] = {
     },
     "foods": {"owes": "row", "traits": "list", "sold_in": "text", "sold_as": "text", "when": "row"},
     "homonyms": {},
+    "plurals": {"food": "text"},
 }  # fmt: skip
-"""The sections of a table of foods; a homonym says by states what it is."""
+"""The sections of a table of foods; a homonym says by states what it is, a plural as which food it ends."""
 
 _SAID = {"text": "a text", "list": "a list of texts", "truth": "true or false", "row": "a row of texts"}
 

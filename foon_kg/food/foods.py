@@ -27,13 +27,14 @@ _MORE = frozenset({"for", "with"})
 
 @dataclass(frozen=True, eq=False)
 class FoodTable:
-    """Kinds by name, the kind of every name, endings (``berry`` of ``*berry``), homonyms and exceptions."""
+    """Kinds by name, the kind of every name, endings (``berry`` of ``*berry``), homonyms, exceptions and plurals."""
 
     kinds: Mapping[str, Kind]
     kind_of: Mapping[str, str]
     endings: tuple[tuple[str, str], ...]
     homonyms: Mapping[str, tuple[tuple[str, str], ...]]
     exceptions: Mapping[str, Mapping[str, object]]
+    plurals: Mapping[str, str] = field(default_factory=dict)
     _known: dict[tuple[str, tuple[str, ...]], Food] = field(default_factory=dict)
     _found: dict[str, tuple[str, str, Match]] = field(default_factory=dict)
 
@@ -42,7 +43,7 @@ class FoodTable:
         key = (label, tuple(states))
         if key not in self._known:
             make_room(self._known)
-            self._known[key] = replace(self._food(singular(_plain(label)), key[1]), name=singular(label))
+            self._known[key] = replace(self._food(self._in_singular(label), key[1]), name=singular(label))
         return self._known[key]
 
     def as_measured(self, label: str, measures: Iterable[str]) -> str:
@@ -59,7 +60,7 @@ class FoodTable:
 
     def find(self, label: str) -> tuple[str, str, Match]:
         """Return the kind of ``label``, the name of the table that it was found as, and how: the longest phrase."""
-        name = singular(_plain(label))
+        name = self._in_singular(label)
         if name not in self._found:
             make_room(self._found)
             self._found[name] = self._find(name)
@@ -106,6 +107,14 @@ class FoodTable:
     def _meant(self, name: str, states: Sequence[str]) -> str:
         """Return which of the foods called ``name`` one in these ``states`` is."""
         return next((other for state, other in self.homonyms.get(name, ()) if _is_among(state, states)), name)
+
+    def _in_singular(self, label: str) -> str:
+        """Return ``label`` as the table has it: in the singular, unless its plural means another food there."""
+        name = singular(_plain(label))
+        other = self.plurals.get(label.lower().rpartition(" ")[2], "")
+        if not other or name in self.kind_of or " " not in name:
+            return name
+        return f"{name.rpartition(' ')[0]} {other}"
 
     def _find(self, name: str) -> tuple[str, str, Match]:
         # the last words before the ending, and any other words last: English names a food by its last noun

@@ -30,6 +30,7 @@ def food_table(documents: Iterable[tuple[str, Toml]]) -> FoodTable:
     endings: dict[str, str] = {}
     homonyms: dict[str, tuple[tuple[str, str], ...]] = {}
     exceptions: dict[str, Mapping[str, object]] = {}
+    plurals: dict[str, str] = {}
     for where, document in documents:
         for name, row in document.get("kinds", {}).items():
             kinds[name] = _kind(name, row, kinds.get(name), where)
@@ -40,8 +41,9 @@ def food_table(documents: Iterable[tuple[str, Toml]]) -> FoodTable:
                     kind_of[singular(word)] = name
         exceptions |= {singular(name): dict(row) for name, row in document.get("foods", {}).items()}
         homonyms |= {singular(name): tuple(row.items()) for name, row in document.get("homonyms", {}).items()}
+        plurals |= {name: str(row["food"]) for name, row in document.get("plurals", {}).items()}
     by_length = sorted(endings.items(), key=lambda row: (-len(row[0]), row[0]))
-    return FoodTable(kinds, kind_of, tuple(by_length), homonyms, exceptions)
+    return FoodTable(kinds, kind_of, tuple(by_length), homonyms, exceptions, plurals)
 
 
 def _kind(name: str, row: Toml, known: Kind | None, where: str) -> Kind:

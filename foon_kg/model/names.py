@@ -20,6 +20,8 @@ from foon_kg.model.regular_files import read_text
 
 ALIASES_VARIABLE = "FOON_KG_ALIASES"
 
+_OF_THEIR_OWN = str.maketrans({"\u0131": "i", "ł": "l", "ø": "o", "đ": "d", "æ": "ae", "œ": "oe"})
+"""Letters that Unicode does not take for others with a sign on them."""
 _APOSTROPHES = str.maketrans({"\u2019": "'", "\u2018": "'", "`": "'", "_": " "})
 _TIDY = re.compile(r"[^\w&'%/\- ]+")
 _STILL_SINGULAR = ("ss", "us", "is", "'s")  # glass, hummus, cassis, baker's
@@ -86,10 +88,11 @@ def _tidied(name: str) -> str:
 
 
 def without_accents(text: str) -> str:
-    """Return ``text`` with its letters plain, without accents (pâté: pate)."""
+    """Return ``text`` with its letters plain, without accents (pâté: pate; smørrebrød: smorrebrod)."""
     if text.isascii():  # as most is; the rest takes ten times as long
         return text
-    return "".join(letter for letter in unicodedata.normalize("NFKD", text) if not unicodedata.combining(letter))
+    letters = unicodedata.normalize("NFKD", text.translate(_OF_THEIR_OWN))
+    return "".join(letter for letter in letters if not unicodedata.combining(letter))
 
 
 def _singular(word: str, kept: frozenset[str]) -> str:

@@ -106,3 +106,13 @@ def test_what_strangers_ask_is_not_remembered_for_ever(monkeypatch):
     assert len(table.foods._known) <= 10
     assert len(table.foods._found) <= 10
     assert max(len(table._states), len(table._motions)) <= 10
+
+
+def test_a_plural_that_is_not_listed_is_of_the_vegetable_and_the_bone_is_no_food():
+    assert FOODS.food("Hungarian wax peppers").kind == "sweet pepper"
+    assert FOODS.food("black peppers").kind == FOODS.food("wax pepper").kind == "black pepper"
+    assert FOODS.food("pork loin on the bone").is_a("joint")
+
+
+def test_letters_of_their_own_are_read_as_plain_ones():
+    assert words("\u0130mam bay\u0131ld\u0131, gołąbki") == words("Imam bayildi, golabki")

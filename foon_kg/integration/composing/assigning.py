@@ -60,7 +60,7 @@ def _states(want: Want) -> set[str]:
     known, label = tables(), want.label
     due = {"cook", "boil"} & owed(want, known)
     mash = {want.make, want.then} & word_list("only what is soft is so")
-    said = {
+    said: dict[str, bool] = {
         "in one piece": not want.make,
         "in pieces": bool(want.make) and known.state(want.make).fineness > 1,
         "portion": is_portion(want, known),
@@ -70,6 +70,7 @@ def _states(want: Want) -> set[str]:
         "several": label != singular(label) or not word_list("is asked twofold").isdisjoint(words(label)),
         "as mash": bool(mash) or "made" in want.facts.traits,
     }
+    said[f"for {want.part}"] = bool(want.part)
     return {want.asked, want.make, want.then, *want.leaf, *(name for name, holds in said.items() if holds)}
 
 
