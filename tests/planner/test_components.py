@@ -194,7 +194,8 @@ def test_flesh_in_shreds_is_shaped_for_a_burger_and_a_gravy_is_made_by_itself(st
         "steak", "Country Fried Steak", "steak:raw", "flour:powder", "egg:beaten", "oil:liquid", "flour:powder:gravy",
         "milk:liquid:gravy", "black pepper:ground:gravy",
     )  # fmt: skip
-    assert inside(told, "cook and stir") == {"flour", "milk", "black pepper"}
+    assert inside(told, "cook and stir") == {"flour", "oil", "black pepper"}
+    assert motions(told).index("cook and stir") < first(told, "milk", "pour")
 
 
 def test_a_pot_roast_is_braised_with_all_that_is_around_it(steps):
