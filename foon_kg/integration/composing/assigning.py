@@ -61,7 +61,7 @@ def _states(want: Want) -> set[str]:
     due = {"cook", "boil"} & owed(want, known)
     mash = {want.make, want.then} & word_list("only what is soft is so")
     said: dict[str, bool] = {
-        "in one piece": not want.make,
+        "in one piece": not want.make or known.state(want.make).earns == {"wash"},
         "in pieces": bool(want.make) and known.state(want.make).fineness > 1,
         "portion": is_portion(want, known),
         "due": bool(due),

@@ -242,7 +242,7 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
     slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
     asked = known.state(want.make) if want.make else State("")
     shaped = _is_shaped(want, row, asked)
-    facts = _still_owing(want.facts, asked, row.get("waives", ()))
+    facts = _still_owing(want.facts, asked if "make" in row and shaped else State(""), row.get("waives", ()))
     want = replace(want, cooked=row.get("said", want.cooked))
     if "make" in row and shaped:
         squeezed = _is_squeezed(want, row["make"], known)
@@ -258,8 +258,8 @@ def _cooked_to(want: Want, state: str) -> Want:
 
 
 def _is_shaped(want: Want, row: Mapping[str, Any], asked: State) -> bool:
-    """Whether a food is cut as a row says: not where it is asked cut already, nor pressed where its peel is asked."""
-    if row.get("make") == JUICE and want.make in word_list("is off the outside"):
+    """Whether a food is cut as a row says: not where it is asked cut, nor pressed where its peel or juice is asked."""
+    if row.get("make") == JUICE and (want.make in word_list("is off the outside") or JUICE in want.leaf):
         return False
     return asked.fineness == 0 or bool(row.get("always"))
 
