@@ -84,14 +84,7 @@ def _is_left_over(out: Outcome, one: Said) -> bool:
     """Whether a food output is what nobody eats: a skin, or what is left of what was squeezed for its juice."""
     if one.remains:
         return True
-    was_liquid = {
-        name
-        for lump in out.lumps()
-        if out.tables.foods.food(lump.label, lump.states).is_a("liquid")
-        for name in lump.names
-    }
-    # broth that lay beside the bird it is named after was not pressed out of that
-    juices = [one for one in out.said if one.utensil is None and out.is_liquid(one) and one.label not in was_liquid]
+    juices = [other for other in out.said if other.utensil is None and out.is_liquid(other)]
     return out.happening.does("separate") and bool(juices) and not out.is_liquid(one) and _named_twice(out, one)
 
 

@@ -91,3 +91,26 @@ def test_cooked_rice_or_noodles_come_last_to_a_stir_fry(steps, title, grain, egg
 def test_fries_for_serving_are_baked_by_themselves(steps):
     told = steps("steak", "Steak with Butter", "sirloin steak:raw", "butter:unmelted", "french fries:frozen:serving")
     assert inside(told, "bake") == {"french fries"}
+
+
+def test_potatoes_that_are_baked_twice_are_whole_the_first_time(steps):
+    told = steps("potatoes", "Twice-Baked Potatoes", "potatoes:scrubbed", "butter:unmelted", "milk:liquid",
+                 "cheddar:shredded")  # fmt: skip
+    assert motions(told).index("bake") < motions(told).index("mash")
+    assert "chop" not in motions(told)
+
+
+def test_trimmed_beans_lose_their_ends_once_and_juice_is_not_peeled(steps):
+    told = steps("vegetables", "Green Beans Amandine", "green beans:trimmed", "butter:unmelted", "almonds:sliced")
+    assert "core" not in motions(told)
+    told = steps("steak", "Carne Asada", "skirt steak:raw", "orange:juice", "lime juice:juice", "garlic:minced")
+    assert not any("orange" in inputs and motion == "peel" for inputs, motion, _ in told)
+
+
+def test_a_slow_roast_is_no_braise_and_peppercorns_are_crushed_on_a_steak(steps):
+    told = steps("roast", "Slow-Roast Lamb", "lamb shoulder:raw", "garlic:cut", "onions:sliced", "white wine:dry")
+    assert "simmer" not in motions(told)
+    assert "lamb shoulder" in inside(told, "bake")
+    told = steps("steak", "Steak au Poivre", "fillet steaks:raw", "peppercorns:whole", "brandy:liquid", "cream:creamy")
+    crushed = [node for _, _, outputs in told for node in outputs if node.label == "peppercorns"]
+    assert any("crushed" in node.states for node in crushed)
