@@ -45,8 +45,15 @@ class Part:
 
     @property
     def kept_as(self) -> tuple[object, ...]:
-        """What tells it from other parts: where it comes from, and what was done to it."""
-        return (self.origin, self.remains, frozenset(self.done), self.fine)
+        """What tells it from other parts: where it comes from, what was done to it, and whether it was ever hot."""
+        return (self.origin, self.remains, frozenset(self.done), self.fine, self.heated is None)
+
+    def meet(self, other: Part) -> None:
+        """Be one part again with an ``other`` portion of the same history: what befell either last holds for both."""
+        self.joined = _later(self.joined, other.joined)
+        self.mixed = _later(self.mixed, other.mixed)
+        self.heated = _later(self.heated, other.heated)
+        self.cooled = _later(self.cooled, other.cooled)
 
     def copy(self, *, remains: bool = False) -> Part:
         """Return another portion of it; one that ``remains`` is left over."""
@@ -54,6 +61,11 @@ class Part:
             self.food, self.states, self.taken, dict(self.done), self.fine, remains or self.remains,
             self.joined, self.mixed, self.heated, self.cooled, self.unstated, self.spoonful, self.origin,
         )  # fmt: skip
+
+
+def _later(one: int | None, other: int | None) -> int | None:
+    """Return the later of two steps; ``None`` where there is neither."""
+    return max((step for step in (one, other) if step is not None), default=None)
 
 
 @dataclass(eq=False, slots=True)
@@ -77,10 +89,12 @@ class Lump:
 
     def take(self, parts: Iterable[Part]) -> None:
         """Take parts in. Portions of one thing that come together again with one history are one part."""
-        there = {part.kept_as for part in self.parts}
+        there = {part.kept_as: part for part in self.parts}
         for part in parts:
-            if part.kept_as not in there:
-                there.add(part.kept_as)
+            if part.kept_as in there:
+                there[part.kept_as].meet(part)
+            else:
+                there[part.kept_as] = part
                 self.parts.append(part)
 
     @property

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from world.playing import (
     play,
     story,
     told_outputs,
 )
+
+from foon_kg.food import tables
+from foon_kg.world.things import Lump, Part
 
 STORIES = [
     story(
@@ -332,3 +337,21 @@ egg (cracked; in bowl) + cup (empty) → PUT → cup ({beaten egg})
 @pytest.mark.parametrize(("text", "told", "asked"), STORIES)
 def test_portions(text, told, asked):
     assert told_outputs(play(text, asked)) == told
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_portions_that_meet_again_are_one_part_whichever_comes_first(turned):
+    flour = Part(tables().foods.food("flour"), ("powder",), 0, {}, 5, joined=3)
+    spooned_out = replace(flour, joined=23, mixed=11)
+    lump = Lump("mixture", {"mixture"}, (), [])
+    lump.take([spooned_out, flour] if turned else [flour, spooned_out])
+    assert [(part.joined, part.mixed) for part in lump.parts] == [(23, 11)]
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_portion_that_was_never_hot_is_not_lost_in_one_that_was(turned):
+    raw = Part(tables().foods.food("flour"), ("powder",), 0, {}, 5)
+    portions = [raw, replace(raw, heated=4)]
+    lump = Lump("mixture", {"mixture"}, (), [])
+    lump.take(reversed(portions) if turned else portions)
+    assert {part.heated for part in lump.parts} == {None, 4}
