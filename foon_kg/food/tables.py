@@ -214,9 +214,10 @@ def _spans(count: int) -> Iterator[tuple[int, int]]:
 
 
 def _without(own: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the words of a title but those of what it says is not there: "no eggs", and not "no bake"."""
+    """Return the words of a title but those of what it says is not there: "no eggs", "fish-fragrant"; not "no bake"."""
     lacks, does = word_list("says that it is not there"), word_list("is what nobody does")
     gone = {place + 1 for place, word in enumerate(own[:-1]) if word in lacks and own[place + 1] not in does}
+    gone |= {place for place, word in enumerate(own[1:]) if word in word_list("is only like what stands before it")}
     return tuple(word for place, word in enumerate(own) if place not in gone)
 
 

@@ -132,10 +132,10 @@ def _parse(text: str) -> RecipeLine:
     name, preparation = _with_its_front(names[0], _text(parsed.preparation), text)
     in_name, name = split_name(name)
     prepared, unread = states_of(preparation)
-    name, _, aside = name.partition(" (")
+    name, aside = _without_aside(name)
     squeezed, name = _without_a_little(name)
     remarks = [_text(part) for part in (parsed.comment, parsed.purpose) if part]
-    remarks += [f"({aside}"] if aside else []
+    remarks += [aside] if aside else []
     states = tuple(dict.fromkeys((*front, *in_name, *prepared, *squeezed)))
     answer = RecipeLine(
         text,
@@ -172,6 +172,14 @@ def _with_its_front(name: str, preparation: str, text: str) -> tuple[str, str]:
     if f"{before} {name}" in text and is_another_food(before, name):
         return f"{before} {name}", after
     return name, preparation
+
+
+def _without_aside(name: str) -> tuple[str, str]:
+    """Return a ``name`` without what stands in brackets, and this: of "glutinous (sweet) rice" the rice stays."""
+    before, bracket, after = name.partition(" (")
+    inside, _, behind = after.partition(")")
+    aside = f"({inside})" if bracket else ""
+    return " ".join(f"{before} {behind}".split()), aside
 
 
 def _without_a_little(name: str) -> tuple[tuple[str, ...], str]:

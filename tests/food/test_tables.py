@@ -347,5 +347,10 @@ def test_a_dish_before_the_name_of_the_type_asks_for_nothing():
     assert [dish.needs for dish in tables().dishes_named("Faux Apple Pie") if dish.name == "apple pie"] == [()]
 
 
+@pytest.mark.parametrize("title", ["Fish-Fragrant Aubergine", "Chicken-Flavored Noodles", "Egg-Free Mayonnaise"])
+def test_a_dish_is_not_what_it_only_tastes_like_or_is_free_of(title):
+    assert not {dish.name for dish in tables().dishes_named(title)} & {"fish", "chicken", "egg"}
+
+
 def test_a_cocktail_of_shrimps_is_no_drink():
     assert [dish.name for dish in tables().dishes_named("seafood", "Shrimp Cocktail")] == ["seafood", "shrimp cocktail"]

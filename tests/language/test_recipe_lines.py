@@ -48,6 +48,20 @@ def test_a_line_becomes_food_state_quantity_and_unit(line, food, state, quantity
     assert answer.confidence > 0.8
 
 
+@pytest.mark.parametrize(
+    ("line", "food"),
+    [
+        ("1 1/2 cups glutinous (sweet) rice", "glutinous rice"),
+        ("1 cup sticky (glutinous) rice flour", "sticky rice flour"),
+        ("8 ounces reshteh (Persian noodles)", "reshteh"),
+    ],
+)
+def test_what_stands_in_brackets_within_a_name_takes_none_of_it_away(line, food):
+    answer = read(line)
+    assert answer.object == food
+    assert line[line.index("(") : line.index(")") + 1] in answer.left_over
+
+
 def test_all_states_are_kept_in_their_order():
     assert read("1 avocado, pitted, peeled and mashed").states == ("pitted", "peeled", "mashed")
     assert read("1 package frozen chopped spinach, thawed").states == ("frozen", "chopped", "thawed")
