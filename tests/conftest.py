@@ -160,6 +160,14 @@ def neo4j_server() -> ConnectionSettings:
 
 @pytest.fixture(scope="module")
 def emptied_server(neo4j_server: ConnectionSettings) -> ConnectionSettings:
+    """The server with no node in its database when the module begins, and foon-kg's constraints and indexes alone."""
+    with _alone():
+        erase(neo4j_server, keeping=OURS)
+    return neo4j_server
+
+
+@pytest.fixture(scope="module")
+def bare_server(neo4j_server: ConnectionSettings) -> ConnectionSettings:
     """The server, bare when the module begins: how Neo4j plans a query depends on what is left in the database."""
     with _alone():
         erase(neo4j_server)
@@ -175,11 +183,11 @@ def bare_graph(neo4j_server: ConnectionSettings) -> Iterator[ConnectionSettings]
 
 
 @pytest.fixture
-def empty_graph(emptied_server: ConnectionSettings) -> Iterator[ConnectionSettings]:
+def empty_graph(neo4j_server: ConnectionSettings) -> Iterator[ConnectionSettings]:
     """The server with no node in its database, and foon-kg's constraints and indexes alone, for this test alone."""
     with _alone():
-        erase(emptied_server, keeping=OURS)
-        yield emptied_server
+        erase(neo4j_server, keeping=OURS)
+        yield neo4j_server
 
 
 @pytest.fixture

@@ -24,11 +24,11 @@ every_read = pytest.mark.parametrize("query", READS, ids=lambda query: query.nam
 
 
 @pytest.fixture(scope="module")
-def session(emptied_server):
-    login = (emptied_server.user, emptied_server.password)
+def session(bare_server):
+    login = (bare_server.user, bare_server.password)
     with (
-        neo4j.GraphDatabase.driver(emptied_server.uri, auth=login, warn_notification_severity="OFF") as driver,
-        driver.session(database=emptied_server.database) as session,
+        neo4j.GraphDatabase.driver(bare_server.uri, auth=login, warn_notification_severity="OFF") as driver,
+        driver.session(database=bare_server.database) as session,
     ):
         for step in schema_steps():
             session.run(step.text).consume()
