@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.model.errors import FoonError
-from foon_kg.planning.processes import _told
+from foon_kg.planning.processes import _with_reason
 
 pytestmark = pytest.mark.slow
 
@@ -164,7 +164,7 @@ def test_a_process_that_is_ended_from_outside_is_told_with_what_to_do():
         yield "an answer"
         raise BrokenProcessPool
 
-    found = _told(broken())
+    found = _with_reason(broken())
     assert next(found) == "an answer"
     with pytest.raises(FoonError, match="ended from outside") as told:
         next(found)
