@@ -80,8 +80,9 @@ def left(page, count):
 def downloaded(tmp_path, name, page):
     from selenium.webdriver.support.ui import WebDriverWait
 
-    WebDriverWait(page, 60, poll_frequency=0.05).until(lambda _: (tmp_path / "got" / name).exists())
-    return (tmp_path / "got" / name).read_text()
+    got = tmp_path / "got" / name  # Chromium makes it empty first
+    WebDriverWait(page, 60, poll_frequency=0.05).until(lambda _: got.exists() and got.stat().st_size)
+    return got.read_text()
 
 
 def test_each_row_stands_beside_what_was_said_and_enter_accepts(page, tmp_path):
