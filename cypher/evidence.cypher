@@ -1,4 +1,5 @@
-// The evidence that is kept for operators and matters: where it was first seen done, and first seen to change something.
+// The evidence that is kept for operators and matters: in how many units it is done, in how many it changes something, and
+// where either was first seen.
 // param: pairs LIST<MAP>
 // column: kept
 // mode: read
@@ -7,4 +8,4 @@ MATCH (o:Operator {key: pair.operator})
 UNWIND pair.matters AS name
 MATCH (m:Matter {name: name})
 MATCH (o)-[d:DONE_TO]->(m)
-RETURN collect([o.key, name, d.seen, d.changes]) AS kept
+RETURN collect([o.key, name, d.units, d.changed, d.seen, d.changes]) AS kept

@@ -1,6 +1,7 @@
-// Makes the object nodes that are not there yet, ties them to their labels, and names them. Each key may be named once.
+// Makes the object nodes that are not there yet, ties them to their labels, and names them, all in one row: a row a node costs
+// the program more than the node costs the database. Each key may be named once.
 // param: objects LIST<MAP>
-// column: key
+// column: keys
 // mode: write
 MATCH (f:Foon {name: 'foon-kg'})
 UNWIND $objects AS row
@@ -15,4 +16,4 @@ MERGE (l)-[:LABEL_OF]->(f)
 WITH l, objects
 UNWIND objects AS o
 CREATE (o)-[:CALLED]->(l)
-RETURN o.key AS key
+RETURN collect(o.key) AS keys

@@ -1,7 +1,8 @@
 // Makes the functional units that are not there yet, with their edges and the weights of their motions (load_costs), and
-// names them. Each key may be named once.
+// names them, all in one row. Each object comes with how many sightings show it moving, null for none; of units that are
+// there load_movements adds these. Each key may be named once.
 // param: units LIST<MAP>
-// column: key
+// column: keys
 // mode: write
 MATCH (f:Foon {name: 'foon-kg'})
 UNWIND $units AS row
@@ -11,13 +12,13 @@ MERGE (m:Motion {key: row.key})
 WITH m, row
 WHERE NOT EXISTS { (m)-[:OUTPUTS]->() }
 CALL (m, row) {
-  UNWIND row.inputs AS key
-  MATCH (o:Object {key: key})
-  CREATE (o)-[:INPUT_OF]->(m)
+  UNWIND row.inputs AS one
+  MATCH (o:Object {key: one[0]})
+  CREATE (o)-[:INPUT_OF {moving: one[1]}]->(m)
 }
 CALL (m, row) {
-  UNWIND row.outputs AS key
-  MATCH (o:Object {key: key})
-  CREATE (m)-[:OUTPUTS]->(o)
+  UNWIND row.outputs AS one
+  MATCH (o:Object {key: one[0]})
+  CREATE (m)-[:OUTPUTS {moving: one[1]}]->(o)
 }
-RETURN row.key AS key
+RETURN collect(row.key) AS keys

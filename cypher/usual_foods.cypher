@@ -1,5 +1,5 @@
 // Finds out anew which food operators are most often done to, and which they most often change: among those that they were
-// before, and those that have more now. Only where one that it was before has less now are all foods looked at.
+// before, and the first of those that have more now. Only where one that it was before has less now are all foods looked at.
 // param: rows LIST<MAP>
 // mode: write
 UNWIND $rows AS row

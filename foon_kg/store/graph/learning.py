@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence, Set
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence, Set
 from itertools import chain
 from typing import Any
 
@@ -22,8 +22,14 @@ Pair = tuple[str, str]
 """The key of an operator, and a matter to which it is done."""
 
 
-Seen = tuple[list[SightingValue], list[SightingValue]]
+Told = tuple[str, int, str]
+"""A sighting: its video, its position there, and its text as the graph keeps it."""
+
+Seen = tuple[list[Told], list[Told]]
 """Where an operator is done to a matter, and where it changes it."""
+
+Attests = tuple[str, Collection[str], Collection[str]]
+"""What a unit attests: the key of its operator, to what that is done, and what of it it changes."""
 
 
 class Learner:
@@ -41,8 +47,10 @@ class Learner:
         self._matters: set[str] = set()
         self._spoken_of: set[str] = set()
         self._forgotten: set[str] = set()
-        self._sighted: defaultdict[str, list[SightingValue]] = defaultdict(list)
-        self._attested: dict[str, tuple[str, Sequence[str], Sequence[str]]] = {}
+        self._sighted: defaultdict[str, list[Told]] = defaultdict(list)
+        self._attested: dict[str, Attests] = {}
+        self._kept: dict[Pair, tuple[int, int]] = {}
+        """Of the pairs that the graph has, how many units it counts, and how many of these change the matter."""
 
     @property
     def matters(self) -> Set[str]:
@@ -63,6 +71,7 @@ class Learner:
         said = {key: unit for one in taught for key, unit in one.units.items()}
         units = {unit.key: said[unit.key] for unit in new}
         frames = [frame for one in taught for frame in one.frames]
+        self._note_attested(units)
         self._tally.count(units.values())
         self._joins.count(frames)
         self._make_matters(self._tally.matters() | self._joins.matters() | slot_foods(frames))
@@ -72,15 +81,20 @@ class Learner:
         if frames:
             self._ask(cypher.LOAD_FRAMES, frames=list(chain.from_iterable(one.rows for one in taught)))
 
+    def _note_attested(self, units: Mapping[str, Lifted]) -> None:
+        """Note what new units attest, so that the graph is not asked for what it was just told."""
+        self._attested.update((key, (unit.operator, unit.done_to, unit.changes)) for key, unit in units.items())
+
     def _note_sightings(self, subgraphs: Sequence[Subgraph]) -> None:
         for subgraph in subgraphs:
             for unit, seen in sightings_of(subgraph):
-                self._sighted[unit.key].append((seen.video, seen.position, seen.source, seen.start, seen.end))
+                value = (seen.video, seen.position, seen.source, seen.start, seen.end)
+                self._sighted[unit.key].append((seen.video, seen.position, _sighting_text(value)))
 
     def unlearn(self, gone: Iterable[FunctionalUnit], doubtful: Collection[str]) -> None:
         """Take away what units ``gone`` say; they are among the ``doubtful``, which lost a sighting."""
         self._tally.count(map(lifted, gone), weight=-1)
-        keys = sorted({*self._sighted, *doubtful})
+        keys = sorted({*self._sighted, *doubtful} - self._attested.keys())
         for row in self._ask(cypher.ATTESTED, keys=keys) if keys else ():
             self._attested.update((unit, (operator, done, changes)) for unit, operator, done, changes in row.attested)
 
@@ -88,8 +102,7 @@ class Learner:
         """Bring evidence and counts up to date; ``doubtful`` are the units that lost a sighting."""
         pairs = {*self._pairs(doubtful), *self._pairs(self._sighted)}
         if pairs:
-            evidence = self._evidence(pairs)
-            self._ask(cypher.LOAD_EVIDENCE, rows=[self._evidence_row(pair, *evidence[pair]) for pair in sorted(pairs)])
+            self._ask(cypher.LOAD_EVIDENCE, rows=self._evidence_rows(self._evidence(pairs)))
             if usual := list(self._usual_rows(pairs)):
                 self._ask(cypher.USUAL_FOODS, rows=usual)
         counts, joins = self._tally.rows(), self._joins.rows()
@@ -120,16 +133,17 @@ class Learner:
         self._add_sighted(found)
         found.update((pair, ([], [])) for pair in lost)
         for again in self._ask(cypher.FIRST_SIGHTINGS, pairs=_by_operator(lost), most=MOST_SIGHTINGS) if lost else ():
-            found[again.operator, again.matter] = again.seen, again.changes
+            found[again.operator, again.matter] = _told(again.seen), _told(again.changes)
         return found
 
     def _add_kept(self, found: dict[Pair, Seen]) -> set[Pair]:
         """Add the evidence that the graph has; return the pairs of which some went, so that others may be missing."""
         lost: set[Pair] = set()
         for row in self._ask(cypher.EVIDENCE, pairs=_by_operator(found)):
-            for operator, matter, *kept in row.kept:
+            for operator, matter, units, changed, *kept in row.kept:
+                self._kept[operator, matter] = units, changed
                 for sightings, texts in zip(found[operator, matter], kept, strict=True):
-                    left = [one for one in map(_sighting_value, texts) if one[0] not in self._forgotten]
+                    left = [one for one in map(_kept_sighting, texts) if one[0] not in self._forgotten]
                     sightings.extend(left)
                     if len(left) < len(texts) >= MOST_SIGHTINGS:
                         lost.add((operator, matter))
@@ -145,27 +159,42 @@ class Learner:
                 changed += new if matter in changes else []
 
     def _usual_rows(self, pairs: set[Pair]) -> Iterator[dict[str, Any]]:
-        """Yield, for each operator, to which foods it is done more often now, and to which less."""
-        less, more = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
+        """Yield, for each operator, the leaders of the foods to which it is done more often now, and all with less."""
+        less, more = defaultdict[str, list[str]](list), defaultdict[str, list[tuple[str, int, int]]](list)
         for pair in sorted(pairs):
             if not is_food(pair[1]):
                 continue
-            if self._tally.done[pair] < 0 or self._tally.changed[pair] < 0:
+            done, changed = self._tally.done[pair], self._tally.changed[pair]
+            if done < 0 or changed < 0:
                 less[pair[0]].append(pair[1])
-            elif self._tally.done[pair] or self._tally.changed[pair]:
-                more[pair[0]].append(pair[1])
+            elif done or changed:
+                kept = self._kept.get(pair, (0, 0))
+                more[pair[0]].append((pair[1], kept[0] + done, kept[1] + changed))
         for operator in sorted(less.keys() | more.keys()):
-            yield {"operator": operator, "more": more[operator], "less": less[operator]}
+            yield {"operator": operator, "more": _leaders(more[operator]), "less": less[operator]}
 
-    def _evidence_row(self, pair: Pair, seen: list[SightingValue], changes: list[SightingValue]) -> dict[str, Any]:
-        return {
-            "operator": pair[0],
-            "matter": pair[1],
-            "units": self._tally.done[pair],
-            "changed": self._tally.changed[pair],
-            "seen": _first(seen),
-            "changes": _first(changes),
-        }
+    def _evidence_rows(self, evidence: dict[Pair, Seen]) -> list[dict[str, Any]]:
+        """Return a row for each operator: its pairs that the graph has, and those that are new in it."""
+        rows: dict[str, dict[str, Any]] = {}
+        for pair in sorted(evidence):
+            row = rows.setdefault(pair[0], {"operator": pair[0], "known": [], "new": []})
+            seen, changes = evidence[pair]
+            told = {
+                "matter": pair[1],
+                "units": self._tally.done[pair],
+                "changed": self._tally.changed[pair],
+                "seen": _first(seen),
+                "changes": _first(changes),
+            }
+            row["known" if pair in self._kept else "new"].append(told)
+        return list(rows.values())
+
+
+def _leaders(foods: Sequence[tuple[str, int, int]]) -> list[str]:
+    """Return of ``foods``, each with its units and those that change it, the first by either, as usual_foods ranks."""
+    first = sorted(foods, key=lambda food: (-food[1], food[0]))[:1]
+    first += sorted((food for food in foods if food[2] > 0), key=lambda food: (-food[2], food[0]))[:1]
+    return sorted({food for food, _, _ in first})
 
 
 def _operator_rows(units: dict[str, Lifted]) -> Iterator[dict[str, Any]]:
@@ -188,10 +217,14 @@ def _by_operator(pairs: Iterable[Pair]) -> list[dict[str, Any]]:
     return [{"operator": operator, "matters": names} for operator, names in matters.items()]
 
 
-def _first(sightings: Iterable[SightingValue]) -> list[str]:
+def _first(sightings: Iterable[Told]) -> list[str]:
     """Return the first sightings by video and position, as the graph keeps them."""
-    by_place = {(sighting[0], sighting[1]): sighting for sighting in sightings}
-    return [_sighting_text(by_place[place]) for place in sorted(by_place)[:MOST_SIGHTINGS]]
+    by_place = {(video, position): text for video, position, text in sightings}
+    return [by_place[place] for place in sorted(by_place)[:MOST_SIGHTINGS]]
+
+
+def _told(sightings: Iterable[SightingValue]) -> list[Told]:
+    return [(value[0], value[1], _sighting_text(value)) for value in sightings]
 
 
 def _sighting_text(value: SightingValue) -> str:
@@ -199,7 +232,7 @@ def _sighting_text(value: SightingValue) -> str:
     return json.dumps(list(value), ensure_ascii=False, separators=(",", ":"))
 
 
-def _sighting_value(text: str) -> SightingValue:
+def _kept_sighting(text: str) -> Told:
     """Return the sighting that was written as ``text``."""
-    video, position, source, start, end = json.loads(text)
-    return video, position, source, start, end
+    video, position, *_ = json.loads(text)
+    return video, position, text

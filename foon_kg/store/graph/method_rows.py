@@ -34,9 +34,9 @@ class AttestedRow(Row):
 
 
 class EvidenceRow(Row):
-    """For operators and matters the texts of the sightings that are kept: of all units, and of those that change it."""
+    """For operators and matters how many units are kept, how many that change it, and of either the first sightings."""
 
-    kept: list[tuple[str, str, list[str], list[str]]]
+    kept: list[tuple[str, str, int, int, list[str], list[str]]]
 
 
 class FirstSightingsRow(Row):

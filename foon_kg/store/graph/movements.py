@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import Any
 
@@ -23,13 +23,13 @@ def movements(subgraphs: Iterable[Subgraph]) -> Counter[Movement]:
     return found
 
 
-def movement_rows(subgraphs: Iterable[Subgraph], weight: int = 1) -> list[dict[str, Any]]:
-    """Return what ``load_movements`` adds for sightings in ``subgraphs`` that come, a row a unit.
+def movement_rows(moving: Mapping[Movement, int], weight: int = 1) -> list[dict[str, Any]]:
+    """Return what ``load_movements`` adds for sightings that come, of what is ``moving`` in them, a row a unit.
 
     For those that go, ``weight`` is -1.
     """
     rows: dict[str, dict[str, Any]] = {}
-    for (unit, side, node), count in sorted(movements(subgraphs).items()):
+    for (unit, side, node), count in sorted(moving.items()):
         row = rows.setdefault(unit, {"unit": unit, "inputs": [], "outputs": []})
         row[side].append({"key": node, "count": weight * count})
     return list(rows.values())

@@ -140,6 +140,12 @@ class KeyRow(Row):
     key: str
 
 
+class KeysRow(Row):
+    """The keys of units or object nodes, in no order."""
+
+    keys: list[str]
+
+
 class StatesRow(Row):
     """The states of one object node."""
 

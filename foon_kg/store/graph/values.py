@@ -70,7 +70,7 @@ def properties_of(annotation: Annotation, position: int) -> Properties:
 
 
 def _side_as_properties(participants: Sequence[Participant], side: str) -> Properties:
-    distinct = sorted({p.node for p in participants}, key=lambda node: order(row_of(node)))
+    distinct = _in_order({p.node for p in participants})
     ranks = {node: rank for rank, node in enumerate(distinct)}
     return {
         side: [ranks[p.node] for p in participants],
@@ -83,6 +83,13 @@ def _participants(rows: Iterable[NodeRow], seen: Properties, side: str) -> tuple
     nodes = [node_of(row) for row in sorted(rows, key=order)]
     columns = zip(seen[side], seen[f"{side}_moving"], seen[f"{side}_dish"], strict=True)
     return tuple(Participant(nodes[rank], moving, dish or None) for rank, moving, dish in columns)
+
+
+def _in_order(nodes: set[ObjectNode]) -> list[ObjectNode]:
+    """Return ``nodes`` in the order that ranks count in."""
+    if len({node.label for node in nodes}) == len(nodes):  # as nearly always: all else need not be compared
+        return sorted(nodes, key=lambda node: node.label)
+    return sorted(nodes, key=lambda node: order(row_of(node)))
 
 
 def order(row: NodeRow) -> tuple[object, ...]:

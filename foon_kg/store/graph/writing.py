@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import chain
 from typing import Any
@@ -22,7 +22,7 @@ from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.learning import Learner
 from foon_kg.store.graph.learnt_by import methods_key
-from foon_kg.store.graph.movements import movement_rows
+from foon_kg.store.graph.movements import Movement, movement_rows, movements
 from foon_kg.store.graph.schema import kitchen_key, schema_version
 from foon_kg.store.graph.statements import Ask
 from foon_kg.store.graph.taught import Taught, taught_by
@@ -60,9 +60,12 @@ class Writer:
         units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
         self._ask(cypher.LOAD_VIDEOS, videos=[_video_row(subgraph) for subgraph in subgraphs])
         self._add_nodes({node for unit in units.values() for node in (*unit.input_nodes, *unit.output_nodes)})
-        rows = self._ask(cypher.LOAD_UNITS, units=[_unit_row(units[key]) for key in sorted(units)])
+        moving = movements(subgraphs)
+        rows = self._ask(cypher.LOAD_UNITS, units=[_unit_row(unit, moving) for _, unit in sorted(units.items())])
+        fresh = set(chain.from_iterable(row.keys for row in rows))
         self._add_sightings(subgraphs)
-        new = [units[row.key] for row in rows]
+        self._add_movements(moving, fresh)
+        new = list(map(units.__getitem__, sorted(fresh)))
         self._counts.count(new)
         self._learner.learn(new, subgraphs)
 
@@ -70,14 +73,19 @@ class Writer:
         """Write object nodes, and remember the states of those that are new and the words of all."""
         by_key = {node.key: node for node in nodes}
         for row in self._ask(cypher.LOAD_OBJECTS, objects=self._object_rows(nodes)):
-            self._states.update(by_key[row.key].states)
+            self._states.update(state for key in row.keys for state in by_key[key].states)
         self._words.update(name for node in nodes for name in node.ingredients)
 
+    def _add_movements(self, moving: Mapping[Movement, int], fresh: Collection[str]) -> None:
+        """Add what is ``moving`` in units that were there; those that are ``fresh`` were written with theirs."""
+        known = {movement: count for movement, count in moving.items() if movement[0] not in fresh}
+        if known:
+            self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(known))
+
     def _add_sightings(self, subgraphs: Sequence[Subgraph]) -> None:
-        """Write where units are seen, in which order, what moves there and which goals they make."""
+        """Write where units are seen, in which order, and which goals they make."""
         self._ask(cypher.LOAD_SIGHTINGS, sightings=[row for s in subgraphs for row in _sighting_rows(s)])
         self._ask(cypher.LOAD_NEXT, videos=[_steps_row(subgraph) for subgraph in subgraphs])
-        self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(subgraphs))
         self._ask(cypher.LOAD_GOALS, goals=[row for s in subgraphs for row in self._goal_rows(s)])
 
     def forget(self, names: Sequence[str]) -> None:
@@ -85,7 +93,7 @@ class Writer:
         if names:
             going = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
             self._words.update(word for subgraph in going for word in _words_of(subgraph))
-            self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(going, weight=-1))
+            self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(movements(going), weight=-1))
             self._ask(cypher.FORGET_GOALS, names=names)
             self._doubtful |= {row.key for row in self._ask(cypher.FORGET_SIGHTINGS, names=names)}
             self._learner.forget(names)
@@ -218,13 +226,14 @@ def _steps_row(subgraph: Subgraph) -> dict[str, Any]:
     return {"name": subgraph.name, "units": [annotation.unit.key for annotation in subgraph.annotations]}
 
 
-def _unit_row(unit: FunctionalUnit) -> dict[str, Any]:
+def _unit_row(unit: FunctionalUnit, moving: Mapping[Movement, int]) -> dict[str, Any]:
+    """Return a ``unit`` as ``load_units`` takes it, each object with the sightings that show it ``moving``."""
     return {
         "key": unit.key,
         "verb": unit.motion,
         "accepts_any": unit.accepts_any,
-        "inputs": [node.key for node in unit.input_nodes],
-        "outputs": [node.key for node in unit.output_nodes],
+        "inputs": [(node.key, moving.get((unit.key, "inputs", node.key))) for node in unit.input_nodes],
+        "outputs": [(node.key, moving.get((unit.key, "outputs", node.key))) for node in unit.output_nodes],
     }
 
 

@@ -16,7 +16,7 @@ from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.method_rows import AttestedRow, EvidenceRow
-from foon_kg.store.graph.rows import ContentRow, KeyRow, NameRow, SchemaState
+from foon_kg.store.graph.rows import ContentRow, KeysRow, NameRow, SchemaState
 from foon_kg.store.graph.schema import kitchen_key
 from foon_kg.store.graph.statements import R, Statement
 from foon_kg.store.offline.database import Rows, cell, edges_of, joined, nodes_of, split
@@ -54,25 +54,25 @@ class Staged(StagedRecipes):
         """Make videos."""
         self.insert("Video", ((row["name"], row["content"], joined(row["sources"])) for row in videos))
 
-    def load_objects(self, objects: Rows) -> list[KeyRow]:
+    def load_objects(self, objects: Rows) -> list[KeysRow]:
         """Make object nodes that are not there yet, and return their keys."""
         columns = [named(column) for column in nodes_of("Object").columns]
         new = list(self.new("Object", (tuple(cell(row[name]) for name in columns) for row in objects)))
         labels = {row["key"]: row["label"] for row in objects}
         ids = self.merged("Label", labels.values())
         self.insert("Object_CALLED_Label", ((number, ids[labels[key]]) for key, number in new))
-        return [KeyRow(key) for key, _ in new]
+        return [KeysRow([key for key, _ in new])]
 
-    def load_units(self, units: Rows) -> list[KeyRow]:
+    def load_units(self, units: Rows) -> list[KeysRow]:
         """Make units that are not there yet, and return their keys."""
         cells = ((row["key"], row["verb"], cell(row["accepts_any"])) for row in units)
         new = dict(self.new("Motion", cells))
         fresh = [row for row in units if row["key"] in new]
         ins, outs = list(_ends(fresh, "inputs")), list(_ends(fresh, "outputs"))
-        objects = self.ids("Object", {key for _, key in (*ins, *outs)})
-        self.insert("Object_INPUT_OF_Motion", ((objects[key], new[unit], None) for unit, key in ins))
-        self.insert("Motion_OUTPUTS_Object", ((new[unit], objects[key], None) for unit, key in outs))
-        return [KeyRow(key) for key in new]
+        objects = self.ids("Object", {key for _, key, _ in (*ins, *outs)})
+        self.insert("Object_INPUT_OF_Motion", ((objects[key], new[unit], moving) for unit, key, moving in ins))
+        self.insert("Motion_OUTPUTS_Object", ((new[unit], objects[key], moving) for unit, key, moving in outs))
+        return [KeysRow(list(new))]
 
     def load_sightings(self, sightings: Rows) -> None:
         """Write down the ``sightings``: where units were seen."""
@@ -174,26 +174,34 @@ class Staged(StagedRecipes):
         """Return the evidence that is kept for ``pairs`` of an operator and a matter."""
         asked = [(row["operator"], name) for row in pairs for name in row["matters"]]
         rows = self.database.execute(
-            "SELECT o.key, m.name, d.seen, d.changes FROM json_each(?) p "
+            "SELECT o.key, m.name, d.units, d.changed, d.seen, d.changes FROM json_each(?) p "
             "JOIN Operator o ON o.key = json_extract(p.value, '$[0]') "
             "JOIN Matter m ON m.name = json_extract(p.value, '$[1]') "
             f'JOIN Operator_DONE_TO_Matter d ON d."{START}" = o.{NUMBER} AND d."{END}" = m.{NUMBER}',
             (json.dumps(asked),),
         )
-        return [EvidenceRow([(way, matter, split(seen), split(changes)) for way, matter, seen, changes in rows])]
+        return [
+            EvidenceRow(
+                [
+                    (way, matter, units, changed, split(seen), split(changes))
+                    for way, matter, units, changed, seen, changes in rows
+                ]
+            )
+        ]
 
     def load_evidence(self, rows: Rows) -> None:
         """Add ``rows`` to the counts of what operators are done to, and write down where that was first seen."""
-        operators = self.ids("Operator", {row["operator"] for row in rows})
-        matters = self.ids("Matter", {row["matter"] for row in rows})
+        pairs = [(row["operator"], one) for row in rows for one in (*row["known"], *row["new"])]
+        operators = self.ids("Operator", {operator for operator, _ in pairs})
+        matters = self.ids("Matter", {one["matter"] for _, one in pairs})
         self.database.executemany(
             "INSERT INTO Operator_DONE_TO_Matter VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT DO UPDATE SET "
             "units = units + excluded.units, changed = changed + excluded.changed, "
             "seen = excluded.seen, changes = excluded.changes",
             [
-                (operators[row["operator"]], matters[row["matter"]], row["units"], row["changed"],
-                 joined(row["seen"]), joined(row["changes"]))
-                for row in rows
+                (operators[operator], matters[one["matter"]], one["units"], one["changed"],
+                 joined(one["seen"]), joined(one["changes"]))
+                for operator, one in pairs
             ],
         )  # fmt: skip
 
@@ -284,6 +292,6 @@ def _placed(owner: int, stages: Sequence[int], numbers: Iterable[int]) -> Iterat
     return ((owner, stages[number], place) for place, number in enumerate(numbers))
 
 
-def _ends(units: Rows, side: str) -> Iterator[tuple[str, str]]:
-    """Yield the key of each unit with those of its objects on one ``side``, inputs or outputs."""
-    return ((row["key"], key) for row in units for key in row[side])
+def _ends(units: Rows, side: str) -> Iterator[tuple[str, str, int | None]]:
+    """Yield the key of each unit with those of its objects on one ``side``, and how often these move."""
+    return ((row["key"], key, moving) for row in units for key, moving in row[side])

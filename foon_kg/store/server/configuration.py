@@ -28,6 +28,9 @@ def neo4j_conf(port: int) -> str:
         "dbms.security.allow_csv_import_from_file_urls": "false",
         "internal.dbms.cypher_ip_blocklist": "0.0.0.0/0,::/0",
         "dbms.usage_report.enabled": "false",
+        # Else a statement is planned once more for each size of its lists, in tens, hundreds, thousands: loads of one
+        # video and of thousands would share no plan.
+        "internal.cypher.use_parameter_size": "false",
         # A question is ended so soon after its time limit.
         "db.transaction.monitor.check.interval": "200ms",
         "server.config.strict_validation.enabled": "true",
