@@ -48,6 +48,17 @@ def test_the_usual_foods_are_those_of_all_counts(connection):
         assert kept(connection) == counted(connection)
 
 
+def test_a_food_that_is_done_more_often_and_changed_less_often_may_be_the_usual_one(connection):
+    onions = [f"onion({state}); knife > chop > onion(chopped); knife" for state in ("whole", "peeled")]
+    changed = "tomato(whole); knife > chop > tomato(chopped); knife"
+    as_before = [f"tomato({state}); knife > chop > tomato({state}); knife" for state in ("whole", "ripe", "raw")]
+    load(connection, [subgraph("onions", "salad", *onions), subgraph("tomatoes", "salad", changed)])
+    assert list(kept(connection).values()) == [["onion", "onion"]]
+    load(connection, [subgraph("tomatoes", "salad", *as_before)])
+    assert list(kept(connection).values()) == [["tomato", "onion"]]
+    assert kept(connection) == counted(connection)
+
+
 def test_an_operator_without_a_food_has_no_usual_one(connection):
     salad, shorter = subgraph("salad", "salad", *SALAD), subgraph("salad", "salad", *SALAD[:2])
     load(connection, [salad])

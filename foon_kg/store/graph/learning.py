@@ -167,7 +167,7 @@ class Learner:
             done, changed = self._tally.done[pair], self._tally.changed[pair]
             if done < 0 or changed < 0:
                 less[pair[0]].append(pair[1])
-            elif done or changed:
+            if done > 0 or changed > 0:  # perhaps both: new content may do more to a food, and change it less
                 kept = self._kept.get(pair, (0, 0))
                 more[pair[0]].append((pair[1], kept[0] + done, kept[1] + changed))
         for operator in sorted(less.keys() | more.keys()):
