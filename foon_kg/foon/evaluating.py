@@ -93,9 +93,10 @@ class Evaluating(Answering):
         True
         """
         from foon_kg.evaluation.trees import TreesEvaluation, examined
+        from foon_kg.validation import KnownFoon
 
-        whole = self.snapshot()
-        figures = examined(trees, self.known, whole.kitchen.free_foods)
+        whole = self.snapshot()  # once: the key and what the judge knows are of one FOON
+        figures = examined(trees, KnownFoon.of(whole.units, whole.goals()), whole.kitchen.free_foods)
         return TreesEvaluation(_key(whole), tuple(figures if shown is None else shown(figures)))
 
     def leave_one_out(
