@@ -17,6 +17,7 @@ from foon_kg.model.written_files import write_file, writing
 
 if TYPE_CHECKING:
     from foon_kg.food.motion_costs import MotionCosts
+    from foon_kg.foon import Foon
     from foon_kg.formats.exports.files import ExportFile
 
 EXAMPLES = examples(
@@ -167,13 +168,16 @@ def _whole(form: str, weights: Path | None, files: Sequence[Path] | None, say: S
     from foon_kg.cli.knowledge import front_door
     from foon_kg.formats.exports.formats import export_foon, weights_file
 
+    if form == "weights" and weights is not None:  # of no FOON
+        return [weights_file(_costs_of_file(weights))]
     with front_door(files, say) as foon:
-        if weights is not None:
-            costs = _costs_of_file(weights)
-        else:
-            with foon.reading() as view:
-                costs = view.motion_costs()
+        costs = _stored_costs(foon) if weights is None else _costs_of_file(weights)
         return [weights_file(costs)] if form == "weights" else list(export_foon(foon.snapshot(), form, costs))
+
+
+def _stored_costs(foon: Foon) -> MotionCosts:
+    with foon.reading() as view:
+        return view.motion_costs()
 
 
 def _problem(goal: str | None, kitchen: Path | None, files: Sequence[Path] | None, say: Say) -> list[ExportFile]:

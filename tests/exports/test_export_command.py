@@ -116,6 +116,18 @@ def test_weights_go_round_and_are_on_the_motion_nodes(export, story, tmp_path):
         assert '<data key="success_rate">0.75</data>' in drawn.stdout
 
 
+def test_weights_of_a_file_need_no_foon(export, tmp_path, monkeypatch):
+    def refused(_):
+        raise AssertionError("a Neo4j was asked for")
+
+    monkeypatch.setattr("foon_kg.store.server.connection_settings", refused)
+    given = tmp_path / "weights.json"
+    given.write_text('{"chop": 0.25}', encoding="utf-8")
+    answer = export("--weights", given, "-f", "weights", "-o", tmp_path / "again.json")
+    assert (answer.exit_code, answer.output) == (0, "")
+    assert read_weights(tmp_path / "again.json") == read_weights(given)
+
+
 @pytest.mark.neo4j
 def test_stored_weights_are_exported_with_the_graph(export, empty_graph, tmp_path, monkeypatch):
     costs = MotionCosts({"chop": 0.25})
