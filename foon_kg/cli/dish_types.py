@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from foon_kg.model import DISH_TYPES
 from foon_kg.model.errors import UsageError
@@ -13,8 +13,9 @@ def dish_types_like(incomplete: str) -> list[str]:
     return [dish_type for dish_type in DISH_TYPES if dish_type.startswith(incomplete)]
 
 
-def check_dish_types(names: Iterable[str]) -> None:
-    """Raise ``UsageError`` for the first of ``names`` that is no dish type."""
-    unknown = next((name for name in names if name not in DISH_TYPES), None)
+def check_dish_types(names: Iterable[str], besides: Sequence[str] = ()) -> None:
+    """Raise ``UsageError`` for the first of ``names`` that is no dish type; ``besides`` are words allowed too."""
+    allowed = (*besides, *DISH_TYPES)
+    unknown = next((name for name in names if name not in allowed), None)
     if unknown is not None:
-        raise UsageError(f"“{unknown}” is no dish type", hint=f"It is one of: {', '.join(DISH_TYPES)}.")
+        raise UsageError(f"“{unknown}” is no dish type", hint=f"It is one of: {', '.join(allowed)}.")

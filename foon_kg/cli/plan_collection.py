@@ -55,7 +55,7 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
 
     if run.output is None:
         raise UsageError("a collection is planned into a file", hint="Name it: --output plans.jsonl.zst")
-    check_dish_types([] if which == ALL else [which])
+    check_dish_types([which], besides=[ALL])
     form_of(run.output)  # what it needs is missing now, and not when all is planned
     dish_type = "" if which == ALL else which
     with Foon.connect(say=run.say) as collection:

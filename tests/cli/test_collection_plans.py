@@ -218,7 +218,7 @@ def test_recipes_are_read_behind_an_id_in_their_order(connection, monkeypatch):
     ("options", "told"),
     [
         (["--recipes", "all"], "--output"),
-        (["--recipes", "sponge", "--output", "x.jsonl"], "is no dish type"),
+        (["--recipes", "sponge", "--output", "x.jsonl"], "is no dish type\nhint: It is one of: all, "),
         (["--recipes", "all", "onion", "--output", "x.jsonl"], "names all that is to be planned"),
         (["--recipes", "all", "--dish", "soup", "--output", "x.jsonl"], "names all that is to be planned"),
         (["--recipes", "all", "--foon", "--output", "x.jsonl"], "two forms"),
