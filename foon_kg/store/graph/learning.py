@@ -21,11 +21,10 @@ from foon_kg.store.snapshot import sightings_of
 Pair = tuple[str, str]
 """The key of an operator, and a matter to which it is done."""
 
-
-Told = tuple[str, int, str]
+KeptSighting = tuple[str, int, str]
 """A sighting: its video, its position there, and its text as the graph keeps it."""
 
-Seen = tuple[list[Told], list[Told]]
+Seen = tuple[list[KeptSighting], list[KeptSighting]]
 """Where an operator is done to a matter, and where it changes it."""
 
 Attests = tuple[str, Collection[str], Collection[str]]
@@ -47,7 +46,7 @@ class Learner:
         self._matters: set[str] = set()
         self._spoken_of: set[str] = set()
         self._forgotten: set[str] = set()
-        self._sighted: defaultdict[str, list[Told]] = defaultdict(list)
+        self._sighted: defaultdict[str, list[KeptSighting]] = defaultdict(list)
         self._attested: dict[str, Attests] = {}
         self._kept: dict[Pair, tuple[int, int]] = {}
         """Of the pairs that the graph has, how many units it counts, and how many of these change the matter."""
@@ -89,7 +88,7 @@ class Learner:
         for subgraph in subgraphs:
             for unit, seen in sightings_of(subgraph):
                 value = (seen.video, seen.position, seen.source, seen.start, seen.end)
-                self._sighted[unit.key].append((seen.video, seen.position, _sighting_text(value)))
+                self._sighted[unit.key].append(_written(value))
 
     def unlearn(self, gone: Iterable[FunctionalUnit], doubtful: Collection[str]) -> None:
         """Take away what units ``gone`` say; they are among the ``doubtful``, which lost a sighting."""
@@ -133,7 +132,7 @@ class Learner:
         self._add_sighted(found)
         found.update((pair, ([], [])) for pair in lost)
         for again in self._ask(cypher.FIRST_SIGHTINGS, pairs=_by_operator(lost), most=MOST_SIGHTINGS) if lost else ():
-            found[again.operator, again.matter] = _told(again.seen), _told(again.changes)
+            found[again.operator, again.matter] = list(map(_written, again.seen)), list(map(_written, again.changes))
         return found
 
     def _add_kept(self, found: dict[Pair, Seen]) -> set[Pair]:
@@ -143,7 +142,7 @@ class Learner:
             for operator, matter, units, changed, *kept in row.kept:
                 self._kept[operator, matter] = units, changed
                 for sightings, texts in zip(found[operator, matter], kept, strict=True):
-                    left = [one for one in map(_kept_sighting, texts) if one[0] not in self._forgotten]
+                    left = [one for one in map(_read, texts) if one[0] not in self._forgotten]
                     sightings.extend(left)
                     if len(left) < len(texts) >= MOST_SIGHTINGS:
                         lost.add((operator, matter))
@@ -179,14 +178,14 @@ class Learner:
         for pair in sorted(evidence):
             row = rows.setdefault(pair[0], {"operator": pair[0], "known": [], "new": []})
             seen, changes = evidence[pair]
-            told = {
+            one = {
                 "matter": pair[1],
                 "units": self._tally.done[pair],
                 "changed": self._tally.changed[pair],
                 "seen": _first(seen),
                 "changes": _first(changes),
             }
-            row["known" if pair in self._kept else "new"].append(told)
+            row["known" if pair in self._kept else "new"].append(one)
         return list(rows.values())
 
 
@@ -217,22 +216,18 @@ def _by_operator(pairs: Iterable[Pair]) -> list[dict[str, Any]]:
     return [{"operator": operator, "matters": names} for operator, names in matters.items()]
 
 
-def _first(sightings: Iterable[Told]) -> list[str]:
+def _first(sightings: Iterable[KeptSighting]) -> list[str]:
     """Return the first sightings by video and position, as the graph keeps them."""
     by_place = {(video, position): text for video, position, text in sightings}
     return [by_place[place] for place in sorted(by_place)[:MOST_SIGHTINGS]]
 
 
-def _told(sightings: Iterable[SightingValue]) -> list[Told]:
-    return [(value[0], value[1], _sighting_text(value)) for value in sightings]
+def _written(value: SightingValue) -> KeptSighting:
+    """Return a sighting with its text: the values of a ``Sighting`` as JSON."""
+    return value[0], value[1], json.dumps(list(value), ensure_ascii=False, separators=(",", ":"))
 
 
-def _sighting_text(value: SightingValue) -> str:
-    """Return a sighting as the graph keeps it: the values of a ``Sighting`` as JSON."""
-    return json.dumps(list(value), ensure_ascii=False, separators=(",", ":"))
-
-
-def _kept_sighting(text: str) -> Told:
+def _read(text: str) -> KeptSighting:
     """Return the sighting that was written as ``text``."""
     video, position, *_ = json.loads(text)
     return video, position, text
