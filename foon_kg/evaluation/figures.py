@@ -102,7 +102,7 @@ class DishFigures:
     @cached_property
     def verdicts(self) -> Verdicts:
         """What the judge says of the trees of all these recipes."""
-        # kept for what it keeps itself
+        # kept, since it keeps its counts of the rules
         return Verdicts(tuple(recipe.report for recipe in self.recipes))
 
     @property

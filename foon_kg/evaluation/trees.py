@@ -47,7 +47,7 @@ class TreesEvaluation:
     @cached_property
     def verdicts(self) -> tuple[tuple[str, Verdicts], ...]:
         """What the judge says by dish type, by name, and of all trees."""
-        # kept for what each of them keeps itself
+        # kept, since each keeps its counts of the rules
         by_type: defaultdict[str, list[Report | None]] = defaultdict(list)
         for tree in self.trees:
             by_type[tree.dish_type or NO_DISH_TYPE].append(tree.report)
