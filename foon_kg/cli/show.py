@@ -148,8 +148,8 @@ def _at_most_one(what: str, asked: Sequence[str]) -> None:
 def shown_tree(path: Path, line: int = 1) -> ShownTree:
     """Return the tree to look at: the result at ``line`` of the file at ``path`` (``-``: standard input), or FOON text.
 
-    The file has JSON, one result or a line each. Raises ReadError where there is none, and the error of a recipe that
-    has no tree.
+    The file has JSON, one result or a line each. Raises ReadError where there is none, UsageError where none is
+    at ``line``, and the error of a recipe that has no tree.
     """
     from foon_kg.cli.tree_files import json_values, text_of
 
