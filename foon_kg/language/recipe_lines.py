@@ -36,6 +36,9 @@ _NUMBER = re.compile(r"(?a:(?:\d{1,4} )?[1-9]\d{0,3}/[1-9]\d{0,3}|[1-9]\d{0,3})(
 _NAAN = re.compile(r"\bnan\b", re.IGNORECASE)
 """The bread in the spelling that is also a word for what is no number: the parser stumbles over it."""
 
+_ASIDE = re.compile(r" \((?:[^()]|\([^()]*\))*\)?")
+"""What stands in brackets, which may have brackets in them, or lack the second one."""
+
 
 def read_recipe_lines(lines: Iterable[str]) -> tuple[RecipeLine, ...]:
     """Return what each of ``lines`` asks for, in their order; a line that comes again costs nothing.
@@ -132,10 +135,10 @@ def _parse(text: str) -> RecipeLine:
     name, preparation = _with_its_front(names[0], _text(parsed.preparation), text)
     in_name, name = split_name(name)
     prepared, unread = states_of(preparation)
-    name, aside = _without_aside(name)
+    name, asides = _without_asides(name)
     squeezed, name = _without_a_little(name)
     remarks = [_text(part) for part in (parsed.comment, parsed.purpose) if part]
-    remarks += [aside] if aside else []
+    remarks += asides
     states = tuple(dict.fromkeys((*front, *in_name, *prepared, *squeezed)))
     answer = RecipeLine(
         text,
@@ -174,12 +177,9 @@ def _with_its_front(name: str, preparation: str, text: str) -> tuple[str, str]:
     return name, preparation
 
 
-def _without_aside(name: str) -> tuple[str, str]:
+def _without_asides(name: str) -> tuple[str, list[str]]:
     """Return a ``name`` without what stands in brackets, and this: of "glutinous (sweet) rice" the rice stays."""
-    before, bracket, after = name.partition(" (")
-    inside, _, behind = after.partition(")")
-    aside = f"({inside})" if bracket else ""
-    return " ".join(f"{before} {behind}".split()), aside
+    return " ".join(_ASIDE.sub(" ", name).split()), [aside.strip() for aside in _ASIDE.findall(name)]
 
 
 def _without_a_little(name: str) -> tuple[tuple[str, ...], str]:

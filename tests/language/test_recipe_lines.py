@@ -62,6 +62,12 @@ def test_what_stands_in_brackets_within_a_name_takes_none_of_it_away(line, food)
     assert line[line.index("(") : line.index(")") + 1] in answer.left_over
 
 
+def test_of_several_brackets_none_stays_in_the_name():
+    answer = read("2 cups sweet rice (glutinous) (short grain), rinsed")
+    assert (answer.object, answer.states) == ("sweet rice", ("rinsed",))
+    assert {"(glutinous)", "(short grain)"} <= set(answer.left_over)
+
+
 def test_all_states_are_kept_in_their_order():
     assert read("1 avocado, pitted, peeled and mashed").states == ("pitted", "peeled", "mashed")
     assert read("1 package frozen chopped spinach, thawed").states == ("frozen", "chopped", "thawed")
