@@ -100,9 +100,13 @@ def _is_never_hot(case: Case) -> bool:
 def _unheated(case: Case, goal: ObjectNode) -> Iterator[Finding]:
     """Yield the names of the dish that are those of hot dishes, where nothing in it was heated."""
     for dish in case.tables.dishes_named(goal.label, *case.dish_types, case.title):
-        cold = is_unbaked(case.title) or _sets_cold(case, dish) or _is_blended_raw(case, dish)
-        if dish.heated and not (cold or _is_asked(case, dish) or _was_hot(case)):
+        if dish.heated and not (_may_be_cold(case, dish) or _is_asked(case, dish) or _was_hot(case)):
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (goal,))
+
+
+def _may_be_cold(case: Case, dish: Dish) -> bool:
+    """Whether a dish of a name that hot ones have is made cold, too."""
+    return is_unbaked(case.title) or _sets_cold(case, dish) or _is_blended_raw(case, dish)
 
 
 def _was_hot(case: Case) -> bool:
@@ -143,7 +147,7 @@ def _sets_cold(case: Case, dish: Dish) -> bool:
 
 def _is_blended_raw(case: Case, dish: Dish) -> bool:
     """Whether a dish may be cold that is blended of what nobody heats for it."""
-    blended = any(part.fine >= _BLENDED and part.food.is_a(*word_list("is blended raw")) for part in case.parts)
+    blended = any(part.fine >= _BLENDED for part in _of_kind(case, "is blended raw"))
     return dish.name in word_list("is cold where it is blended raw") and blended
 
 
