@@ -91,10 +91,11 @@ class Lump:
         """Take parts in. Portions of one thing that come together again with one history are one part."""
         there = {part.kept_as: part for part in self.parts}
         for part in parts:
-            if part.kept_as in there:
-                there[part.kept_as].meet(part)
+            kept_as = part.kept_as
+            if kept_as in there:
+                there[kept_as].meet(part)
             else:
-                there[part.kept_as] = part
+                there[kept_as] = part
                 self.parts.append(part)
 
     @property
