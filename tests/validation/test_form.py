@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from validation.judging import ONE_TOMATO, found, report
-from validation.tomato_salad import FOON, SALTED
+from validation.tomato_salad import FOON, SALTED, asked, taken
 
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import TaskTree
@@ -268,19 +268,7 @@ def test_c3_a_food_that_ends_in_the_dish_led_there_though_its_node_is_taken_by_n
     assert found("C3", text) == []
 
 
-# --- C4 ---
-
-
-def asked(foods, rest=ONE_TOMATO):
-    return f"dish: salad\nasked: {foods}\n{rest}"
-
-
-# --- C6 ---
-
-
-def taken(leaf, head=""):
-    """A tree that takes one thing from the kitchen and puts it on the table."""
-    return f"{head}{leaf} → PUT → {leaf.split(' (', maxsplit=1)[0]} (on table)"
+# --- C1 to C6 ---
 
 
 def test_every_finding_of_form_is_fatal():

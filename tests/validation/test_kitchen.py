@@ -4,13 +4,9 @@ from __future__ import annotations
 
 import pytest
 from validation.judging import ONE_TOMATO, found
-from validation.tomato_salad import FOON, SALTED
+from validation.tomato_salad import FOON, SALTED, asked, taken
 
 # --- C4 ---
-
-
-def asked(foods, rest=ONE_TOMATO):
-    return f"dish: salad\nasked: {foods}\n{rest}"
 
 
 @pytest.mark.parametrize("foods", ["tomato (sliced)", "tomatoes (sliced)", "tomato", "tomato (whole)"])
@@ -144,11 +140,6 @@ def test_c5_a_setting_lets_other_foods_in():
 
 
 # --- C6 ---
-
-
-def taken(leaf, head=""):
-    """A tree that takes one thing from the kitchen and puts it on the table."""
-    return f"{head}{leaf} → PUT → {leaf.split(' (', maxsplit=1)[0]} (on table)"
 
 
 @pytest.mark.parametrize(

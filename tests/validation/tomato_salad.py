@@ -1,4 +1,4 @@
-"""A FOON of one tomato salad, for the tests of form."""
+"""A FOON of one tomato salad, and trees of one step, for the tests of form."""
 
 from __future__ import annotations
 
@@ -13,3 +13,13 @@ name: tomato_salad
 dish: salad
 goal: tomato salad ({{salt, tomato}}; on plate)
 {ONE_TOMATO}{SALTED}"""
+
+
+def asked(foods, rest=ONE_TOMATO):
+    """Return a salad for which ``foods`` were asked, made by the steps of ``rest``."""
+    return f"dish: salad\nasked: {foods}\n{rest}"
+
+
+def taken(leaf, head=""):
+    """Return a tree that takes one thing from the kitchen and puts it on the table."""
+    return f"{head}{leaf} → PUT → {leaf.split(' (', maxsplit=1)[0]} (on table)"
