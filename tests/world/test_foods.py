@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from world.playing import (
-    play,
-    story,
-    told_foods,
-)
+from world.playing import play, story, told_foods
 
 STORIES = [
     story(

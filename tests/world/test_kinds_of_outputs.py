@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from world.playing import (
-    play,
-    story,
-    told_outputs,
-)
+from world.playing import play, story, told_outputs
 
 STORIES = [
     story(

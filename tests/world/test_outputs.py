@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from world.playing import (
-    faults,
-    foods,
-    play,
-)
+from world.playing import faults, foods, play
 
 
 @pytest.mark.parametrize(

@@ -5,11 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from world.playing import (
-    play,
-    story,
-    told_outputs,
-)
+from world.playing import play, story, told_outputs
 
 from foon_kg.food import tables
 from foon_kg.world.things import Lump, Part

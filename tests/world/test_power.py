@@ -3,12 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from world.playing import (
-    faults,
-    play,
-    story,
-    told_power,
-)
+from world.playing import faults, play, story, told_power
 from world.starts import BLEND, BOIL, FILL, JAR, MILK, OFF, OIL, ON, PAN, POT
 
 STORIES = [

@@ -3,12 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from world.playing import (
-    faults,
-    play,
-    story,
-    told_treatment,
-)
+from world.playing import faults, play, story, told_treatment
 from world.starts import HEATED
 
 STORIES = [
