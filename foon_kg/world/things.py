@@ -49,11 +49,15 @@ class Part:
         return (self.origin, self.remains, frozenset(self.done), self.fine, self.heated is None)
 
     def meet(self, other: Part) -> None:
-        """Be one part again with an ``other`` portion of the same history: what befell either last holds for both."""
+        """Be one part again with an ``other`` portion of the same history.
+
+        What befell either last holds for both; they are a spoonful where both were.
+        """
         self.joined = _later(self.joined, other.joined)
         self.mixed = _later(self.mixed, other.mixed)
         self.heated = _later(self.heated, other.heated)
         self.cooled = _later(self.cooled, other.cooled)
+        self.spoonful = self.spoonful and other.spoonful
 
     def copy(self, *, remains: bool = False) -> Part:
         """Return another portion of it; one that ``remains`` is left over."""

@@ -39,6 +39,22 @@ rice (dry; in pot) + pot ({rice, water}; on stove) → BOIL → rice (cooked; in
         ],
     ),
     story(
+        "with more of the same mixed in a spoonful is none",
+        HEATED
+        + """
+milk (liquid; in carton) + spoon → SCOOP → milk (liquid; in spoon) + spoon ({milk})
+milk (liquid; in spoon) + flour (powder) + bowl (empty) + whisk → MIX → batter ({flour, milk}; in bowl)
+batter ({flour, milk}; in bowl) + milk (liquid; in carton) + whisk → MIX → batter ({flour, milk}; in bowl)
+batter ({flour, milk}; in bowl) + rice (dry) + pot (empty; on stove) → PUT → batter (in pot) + rice (dry; in pot)
+rice (dry; in pot) + pot ({batter, rice}; on stove) → BOIL → rice (cooked; in pot) + pot ({batter, rice}; on stove)
+""",
+        [
+            "milk: boil 6 cook 6 core -1 cut -1 peel -1 shell -1 stone -1 joined 5 mixed 4 heated 6",
+            "flour: boil -1 cook 6 cut -1 peel -1 fine 5 joined 5 mixed 4 heated 6",
+            "rice: boil 6 cook 6 joined 5 heated 6",
+        ],
+    ),
+    story(
         "warming heats and does not cook",
         HEATED
         + """

@@ -338,10 +338,10 @@ def test_portions(text, told, asked):
 @pytest.mark.parametrize("turned", [False, True])
 def test_portions_that_meet_again_are_one_part_whichever_comes_first(turned):
     flour = Part(tables().foods.food("flour"), ("powder",), 0, {}, 5, joined=3)
-    spooned_out = replace(flour, joined=23, mixed=11)
+    spooned_out = replace(flour, joined=23, mixed=11, spoonful=True)
     lump = Lump("mixture", {"mixture"}, (), [])
     lump.take([spooned_out, flour] if turned else [flour, spooned_out])
-    assert [(part.joined, part.mixed) for part in lump.parts] == [(23, 11)]
+    assert [(part.joined, part.mixed, part.spoonful) for part in lump.parts] == [(23, 11, False)]
 
 
 @pytest.mark.parametrize("turned", [False, True])
