@@ -93,9 +93,11 @@ def unknown_targets(document: Toml, kinds: Collection[str], names: Collection[st
     for name in document.get("foods", {}):
         if singular(name) not in names:
             yield f"foods “{name}”: no kind has it among its words"
-    for name, row in document.get("homonyms", {}).items():
-        lost = (food for food in row.values() if singular(food) not in names)
-        yield from (f"homonyms “{name}”: there is no food “{food}”{_near(food, names)}" for food in lost)
+    meant = [("homonyms", name, food) for name, row in document.get("homonyms", {}).items() for food in row.values()]
+    meant += [("plurals", name, row.get("food", "")) for name, row in document.get("plurals", {}).items()]
+    for section, name, food in meant:
+        if singular(food) not in names:
+            yield f"{section} “{name}”: there is no food “{food}”{_near(food, names)}"
 
 
 def _unknown_kinds(where: str, row: Mapping[str, Any], kinds: Collection[str]) -> Iterator[str]:

@@ -110,8 +110,9 @@ class FoodTable:
 
     def _in_singular(self, label: str) -> str:
         """Return ``label`` as the table has it: in the singular, unless its plural means another food there."""
-        name = singular(_plain(label))
-        other = self.plurals.get(label.lower().rpartition(" ")[2], "")
+        plain = _plain(label)
+        name = singular(plain)
+        other = self.plurals.get(plain.lower().rpartition(" ")[2], "")
         if not other or name in self.kind_of or " " not in name:
             return name
         return f"{name.rpartition(' ')[0]} {other}"

@@ -41,7 +41,7 @@ def food_table(documents: Iterable[tuple[str, Toml]]) -> FoodTable:
                     kind_of[singular(word)] = name
         exceptions |= {singular(name): dict(row) for name, row in document.get("foods", {}).items()}
         homonyms |= {singular(name): tuple(row.items()) for name, row in document.get("homonyms", {}).items()}
-        plurals |= {name: str(row["food"]) for name, row in document.get("plurals", {}).items()}
+        plurals |= {name.lower(): row.get("food", "") for name, row in document.get("plurals", {}).items()}
     by_length = sorted(endings.items(), key=lambda row: (-len(row[0]), row[0]))
     return FoodTable(kinds, kind_of, tuple(by_length), homonyms, exceptions, plurals)
 

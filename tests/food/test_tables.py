@@ -306,13 +306,15 @@ def test_what_is_wrong_with_the_form_of_a_table(text, sections, fault):
 def test_what_a_table_uses_and_nobody_has():
     text = (
         '[kinds.x]\nof = ["fruits"]\nwhen = { dried = "nothing at all" }\n'
-        '[foods.xylocarp]\n[homonyms.y]\nground = "blak pepper"\n'
+        '[foods.xylocarp]\n[homonyms.y]\nground = "blak pepper"\n[plurals.ys]\nfood = "bel pepper"\n[plurals.zs]\n'
     )
     assert list(unknown_targets(tomllib.loads(text), TABLES.foods.kinds, TABLES.foods.kind_of)) == [
         "kinds “x”: there is no kind “fruits” (near it: fruit)",
         "kinds “x”: there is no kind “nothing at all”",
         "foods “xylocarp”: no kind has it among its words",
         "homonyms “y”: there is no food “blak pepper” (near it: black pepper)",
+        "plurals “ys”: there is no food “bel pepper” (near it: bell pepper)",
+        "plurals “zs”: there is no food “”",
     ]
 
 
