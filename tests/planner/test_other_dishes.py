@@ -43,11 +43,10 @@ def test_a_dish_type_with_goals_in_the_foon_gives_trees(answers, dish_type):
 
 
 def test_nearly_all_have_a_tree_and_so_many_robot_and_cook_accept(answers, verdicts):
-    found = verdicts
-    assert len(found.trees) >= TREES * len(answers)
-    assert found.share(found.robot) >= ROBOT
-    assert found.share(found.cook) >= COOK
-    assert found.share(found.accepted) >= ACCEPTED
+    assert len(verdicts.trees) >= TREES * len(answers)
+    assert verdicts.share(verdicts.robot) >= ROBOT
+    assert verdicts.share(verdicts.cook) >= COOK
+    assert verdicts.share(verdicts.accepted) >= ACCEPTED
 
 
 def test_an_egg_is_cracked_into_what_is_baked_and_never_boiled_before(answers):

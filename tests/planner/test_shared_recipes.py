@@ -62,7 +62,6 @@ def test_a_recipe_has_the_same_answer_from_the_units_behind_its_goals_as_from_th
 
 
 def test_so_many_trees_robot_and_cook_accept(answers, verdicts):
-    found = verdicts
-    assert found.share(found.robot) >= ROBOT
-    assert found.share(found.cook) >= COOK
-    assert found.share(found.accepted) >= ACCEPTED
+    assert verdicts.share(verdicts.robot) >= ROBOT
+    assert verdicts.share(verdicts.cook) >= COOK
+    assert verdicts.share(verdicts.accepted) >= ACCEPTED
