@@ -185,7 +185,7 @@ class Technique:
 
     name: str
     called: tuple[tuple[str, ...], ...]
-    never: frozenset[str]
+    never: tuple[tuple[str, ...], ...]
     types: frozenset[str]
     needs: tuple[tuple[Foods, ...], ...]
     without: tuple[Foods, ...]
@@ -198,13 +198,16 @@ class Technique:
 
     def is_called(self, dish_type: str, told: Sequence[str]) -> bool:
         """Return whether a dish of ``dish_type``, whose title has the words ``told`` in this order, is called so."""
-        if not self.never.isdisjoint(told):
-            return False
-        if dish_type in self.or_types:
-            return True
-        if self.types and dish_type not in self.types:
-            return False
-        return not self.called or any(stands_in(name, told) for name in self.called)
+        if dish_type not in self.or_types:
+            if self.types and dish_type not in self.types:
+                return False
+            if self.called and not any(stands_in(name, told) for name in self.called):
+                return False
+        return not self.is_never(told)
+
+    def is_never(self, told: Sequence[str]) -> bool:
+        """Return whether the words ``told`` of a title have a name in them by which no such dish is called."""
+        return any(stands_in(name, told) for name in self.never)
 
 
 def techniques() -> tuple[Technique, ...]:
@@ -240,7 +243,7 @@ def _by_first_words() -> tuple[Mapping[str, list[int]], Mapping[str, list[int]],
     by_type: defaultdict[str, list[int]] = defaultdict(list)
     nameless = []
     for place, (_, row) in enumerate(_technique_rows()):
-        called = _called(row)
+        called = _all_names(row, "called")
         for word in {name[0] for name in called}:
             by_word[word].append(place)
         unnamed = () if called else row.get("types", ())
@@ -330,8 +333,8 @@ def _work(row: Mapping[str, Any]) -> Work:
 def _technique(name: str, row: Mapping[str, Any]) -> Technique:
     return Technique(
         name,
-        _called(row),
-        frozenset(word for one in row.get("never", ()) for name in _names(one) for word in name),
+        _all_names(row, "called"),
+        _all_names(row, "never"),
         frozenset(row.get("types", ())),
         tuple(tuple(map(Foods.read, need)) for need in row.get("needs", ())),
         tuple(map(Foods.read, row.get("without", ()))),
@@ -344,8 +347,8 @@ def _technique(name: str, row: Mapping[str, Any]) -> Technique:
     )
 
 
-def _called(row: Mapping[str, Any]) -> tuple[tuple[str, ...], ...]:
-    return tuple(name for one in row.get("called", ()) for name in _names(one))
+def _all_names(row: Mapping[str, Any], field: str) -> tuple[tuple[str, ...], ...]:
+    return tuple(name for one in row.get(field, ()) for name in _names(one))
 
 
 def _names(text: str) -> list[tuple[str, ...]]:

@@ -7,7 +7,8 @@ import pytest
 from foon_kg.food import tables
 from foon_kg.food.lists import word_lists
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import Around, Foods, Part, preparations, techniques, ways, works
+from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques, ways, works
+from foon_kg.food.words import words
 
 ROWS = (*techniques(), *(row for when in ("ways", "dipped", "flesh", "warmed", "blended") for row in ways(when)))
 SAID = {"as mash", "due", "in one piece", "in pieces", "portion", "raw", "runs", "several"}
@@ -62,6 +63,21 @@ def test_a_stage_is_read_with_all_that_it_says():
 def test_what_is_no_stage_is_refused(text):
     with pytest.raises(ValueError, match=r"is no stage|names no foods"):
         Part.read(text)
+
+
+def called_by(**row):
+    return Technique(**{
+        "name": "x", "called": (), "never": (), "types": frozenset(), "needs": (), "without": (), "lines": {},
+        "plan": frozenset(), **row,
+    })  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("title", "is_so"),
+    [("Pumpkin Pie", True), ("No-Bake Pie", False), ("Pumpkin Bake", True), ("Pie with No Crust", True)],
+)
+def test_what_a_dish_must_not_be_called_is_a_whole_phrase(title, is_so):
+    assert called_by(never=(("no", "bake"),)).is_called("pie", words(title)) is is_so
 
 
 def test_a_stage_may_be_left_out():

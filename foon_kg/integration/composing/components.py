@@ -98,7 +98,7 @@ class _Finder:
         """Whether a dish of this type and title may have such a component."""
         holds = all(is_so(name, self.held) for name in technique.dishes)
         typed = not technique.types or self.dish_type in technique.types
-        return holds and typed and technique.never.isdisjoint(self.title_words)
+        return holds and typed and not technique.is_never(self.title_words)
 
     def _around(self) -> Around:
         return Around([want.facts for want in self.rest], self.title_words)
