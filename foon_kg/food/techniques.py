@@ -18,7 +18,7 @@ from typing import Any
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Food
 from foon_kg.food.shipped import shipped
-from foon_kg.food.words import stands_in, words
+from foon_kg.food.words import singular_word, stands_in, words
 
 _STEP = re.compile(
     r"(?P<optional>\??)(?P<stage>[^@<:]+?)(?: as (?P<label>[^@<:]+?))?(?: ?@ ?(?P<vessel>[^<:]+?))?"
@@ -76,7 +76,7 @@ class Foods:
         found = _FOODS.fullmatch(text.strip())
         if found is None:
             raise ValueError(f"“{text}” names no foods")
-        terms = tuple(term.strip() for term in found["terms"].split("&"))
+        terms = tuple(map(_term, found["terms"].split("&")))
         return cls(terms, (found["state"] or "").strip(), (found["made"] or "").strip(), bool(found["again"]))
 
     @property
@@ -92,6 +92,12 @@ class Foods:
         if self.state and not all(is_so(state, states) for state in self.state.split("&")):
             return False
         return all(_holds(term, label, facts, around) for term in self.terms)
+
+
+def _term(text: str) -> str:
+    """Return a term as it is compared: a word of a label (``#``) in the singular, as labels are read."""
+    marks, is_word, word = text.strip().partition("#")
+    return f"{marks}#{singular_word(word)}" if is_word else marks
 
 
 def is_so(state: str, states: Iterable[str]) -> bool:

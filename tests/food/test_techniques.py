@@ -65,6 +65,10 @@ def test_what_is_no_stage_is_refused(text):
         Part.read(text)
 
 
+def test_a_word_of_a_label_is_meant_in_the_plural_too():
+    assert Foods.read("chocolate&!#chips").terms == ("chocolate", "!#chip")
+
+
 def called_by(**row):
     return Technique(**{
         "name": "x", "called": (), "never": (), "types": frozenset(), "needs": (), "without": (), "lines": {},
