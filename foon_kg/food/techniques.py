@@ -184,6 +184,8 @@ class Technique:
     """How dishes are made that are ``called`` so and have, of each of ``needs``, one food, and none of ``without``.
 
     ``types`` are the dish types that it is for (none: any), ``or_types`` those of which a dish needs no such name.
+    Even there ``called`` counts: a video of what is called so teaches it instead, and a row without names takes
+    components beside it.
     ``lines`` are stages by the name of their line; the last one makes the dish. ``plan`` are wishes for the whole: one
     pot, cold. Of each of ``one`` exactly one food is there. ``dishes`` and ``video`` are what holds of the dish and of
     what its video does, or with a ``!`` what does not.

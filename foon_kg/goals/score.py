@@ -2,7 +2,7 @@
 
 The score is a sum of small terms. None was fitted: each was set by hand when readers found a recipe made after the
 wrong dish, as large as it takes to turn that choice. What counts is their order. To be of the asked kind and called so
-outweighs all but the places of the foods (together at most 1.1); what would make another dish of it (an oven, a
+outweighs all but the places of the foods (together at most 1.15); what would make another dish of it (an oven, a
 blender, a pan) comes next; a word of the name last.
 """
 
@@ -98,7 +98,7 @@ def score(dish: Recorded, joins: Sequence[Join], asked: Asked, posts: Posts) -> 
 
 
 def _places(dish: Recorded, joins: Sequence[Join], asked: Asked) -> float:
-    """Return what the natural places count of what is asked, and what is asked of what was recorded (0 to 1.1).
+    """Return what the natural places count of what is asked, and what is asked of what was recorded (0 to 1.15).
 
     That the recipe has what the dish is built on counts most: a salad of beans is none without the beans.
     """

@@ -60,7 +60,7 @@ def _states(want: Want) -> set[str]:
     known, label = tables(), want.label
     due = {"cook", "boil"} & owed(want, known)
     mash = {want.make, want.then} & word_list("only what is soft is so")
-    said: dict[str, bool] = {
+    said = {
         "in one piece": not want.make or known.state(want.make).earns == {"wash"},
         "in pieces": bool(want.make) and known.state(want.make).fineness > 1,
         "portion": is_portion(want, known),
@@ -69,8 +69,8 @@ def _states(want: Want) -> set[str]:
         "runs": want.squeezed or want.asked in word_list("runs"),
         "several": label != singular(label) or not word_list("is asked twofold").isdisjoint(words(label)),
         "as mash": bool(mash) or "made" in want.facts.traits,
+        f"for {want.part}": bool(want.part),
     }
-    said[f"for {want.part}"] = bool(want.part)
     return {want.asked, want.make, want.then, *want.leaf, *(name for name, holds in said.items() if holds)}
 
 
