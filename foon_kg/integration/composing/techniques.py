@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -27,17 +27,7 @@ from foon_kg.integration.composing.assigning import MAIN, assigned, has_its_food
 from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
 from foon_kg.integration.teaching.forms import form_of
-from foon_kg.integration.teaching.frames import BATH, Asked, Line, Phase, Slot, Stage
-
-
-@dataclass(frozen=True)
-class LiftedOut(Stage):
-    """A stage at which flesh is lifted out of what it was cooked in."""
-
-
-@dataclass(frozen=True)
-class Rejoined(Stage):
-    """A stage at which the rest comes to flesh that was lifted out of it."""
+from foon_kg.integration.teaching.frames import BATH, Asked, LiftedOut, Line, Phase, Rejoined, Slot, Stage
 
 
 def technique_for(
@@ -223,11 +213,13 @@ class _Placed:
 
 
 def _kind_of(work: Work) -> Callable[..., Stage]:
-    """Return what makes a stage of the kind that does such work: over the heat, in any case, or any other."""
+    """Return what makes a stage of the kind that does such ``work``; a plain stage for most."""
     if work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased:
         return partial(Phase, bath=work.bath)
-    if work.lifts or work.rejoins:
-        return LiftedOut if work.lifts else Rejoined
+    if work.lifts:
+        return LiftedOut
+    if work.rejoins:
+        return Rejoined
     return Asked if work.always else Stage
 
 
@@ -240,11 +232,12 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
         return want, None
     row = preparations()[foods.made]
     slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
-    asked = known.state(want.make) if want.make else State("")
+    asked = known.state(want.make)
     shaped = _is_shaped(want, row, asked)
-    facts = _still_owing(want.facts, asked if "make" in row and shaped else State(""), row.get("waives", ()))
+    made = shaped and "make" in row
+    facts = _still_owing(want.facts, asked if made else State(""), row.get("waives", ()))
     want = replace(want, cooked=row.get("said", want.cooked))
-    if "make" in row and shaped:
+    if made:
         squeezed = _is_squeezed(want, row["make"], known)
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")), squeezed=squeezed)
     if shaped and not want.then:

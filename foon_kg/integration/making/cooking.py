@@ -13,7 +13,6 @@ from dataclasses import replace
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel
-from foon_kg.integration.composing.techniques import LiftedOut
 from foon_kg.integration.composing.toppings import with_toppings_last
 from foon_kg.integration.joining.course import Course, Plan
 from foon_kg.integration.joining.phases import in_phases
@@ -34,7 +33,7 @@ from foon_kg.integration.making.turns import Incoming, Turn, turns_of
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.preparing.preparer import Preparer
-from foon_kg.integration.teaching.frames import Line, Stage
+from foon_kg.integration.teaching.frames import LiftedOut, Line, Stage
 
 
 class Cooking:

@@ -6,10 +6,9 @@ from collections.abc import Sequence
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Stuff, Vessel
-from foon_kg.integration.composing.techniques import LiftedOut, Rejoined
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Want
-from foon_kg.integration.teaching.frames import Stage
+from foon_kg.integration.teaching.frames import LiftedOut, Rejoined, Stage
 
 
 class Lifting:

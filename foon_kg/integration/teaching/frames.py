@@ -98,6 +98,16 @@ class Asked(Stage):
 
 
 @dataclass(frozen=True)
+class LiftedOut(Stage):
+    """A stage at which flesh is lifted out of what it was cooked in."""
+
+
+@dataclass(frozen=True)
+class Rejoined(Stage):
+    """A stage at which the rest comes to flesh that was lifted out of it."""
+
+
+@dataclass(frozen=True)
 class Line:
     """Stages one after another that lead to one thing: the dish, or what joins it (a dressing, a batter)."""
 
