@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Level
 from foon_kg.food.told_states import asked_state
 from foon_kg.model.names import canonical
 from foon_kg.similarity.groups import food_groups
@@ -73,9 +74,20 @@ def _state_before(word: str, food: str) -> str | None:
 
 
 def is_another_food(state: str, food: str) -> bool:
-    """Whether the word for a state makes another food: ground beef is used as no beef is, diced tomato as tomatoes."""
+    """Whether the word for a ``state`` makes another food: ground beef is used as no beef is, diced tomato as tomatoes.
+
+    A dish that is nothing but this ``food`` cooked so is none: whoever asks for fried eggs has eggs to fry.
+    """
+    if _is_only_cooked(state, food):
+        return False
     groups = food_groups()
     return not set(groups.of(canonical(f"{state} {food}"))) <= set(groups.of(canonical(food)))
+
+
+def _is_only_cooked(state: str, food: str) -> bool:
+    """Whether ``food`` with the ``state`` is a dish that is made of a raw food alone, by cooking it."""
+    foods = tables().foods
+    return foods.food(f"{state} {food}").is_a("cooked dish") and foods.food(food).owes.get("cook") is Level.FATAL
 
 
 def is_bought_so(state: str, food: str) -> bool:

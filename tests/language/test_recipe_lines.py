@@ -68,6 +68,18 @@ def test_of_several_brackets_none_stays_in_the_name():
     assert {"(glutinous)", "(short grain)"} <= set(answer.left_over)
 
 
+@pytest.mark.parametrize(
+    ("line", "food", "state"),
+    [
+        ("4 fried eggs, to serve", "eggs", "fried"),
+        ("Fried eggs and avocado slices, to serve", "eggs", "fried"),
+        ("2 cups fried rice", "fried rice", ""),  # is made of more than rice
+    ],
+)
+def test_a_dish_that_is_one_food_cooked_is_that_food_in_a_state(line, food, state):
+    assert (read(line).object, read(line).state) == (food, state)
+
+
 def test_all_states_are_kept_in_their_order():
     assert read("1 avocado, pitted, peeled and mashed").states == ("pitted", "peeled", "mashed")
     assert read("1 package frozen chopped spinach, thawed").states == ("frozen", "chopped", "thawed")
