@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from foon_kg.foon.opened import Opened, silent
+from foon_kg.foon.exploring import Exploring
+from foon_kg.foon.opened import silent
 
 if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.food.motion_costs import MotionCosts
@@ -22,7 +23,7 @@ if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.store.offline.staged import Staged
 
 
-class Collected(Opened):
+class Collected(Exploring):
     """A FOON whose Neo4j holds recipes, drafts and weights; one in files raises ``UsageError`` for all of these."""
 
     def recipe(self, recipe_id: str) -> StoredRecipe:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.model.drafted import Lesson
     from foon_kg.store.graph import Connection, GraphView, Neo4jGraph
     from foon_kg.store.server import ConnectionSettings
+    from foon_kg.store.server import Status as ServerStatus
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.with_drafts import WithDrafts
     from foon_kg.validation import KnownFoon
@@ -122,6 +123,37 @@ class Opened:
 
         return cls(server=ensure_running(say))
 
+    @staticmethod
+    def start_server(*, port: int | None = None, idle_minutes: float | None = None, say: Say = silent) -> ServerStatus:
+        """Start foon-kg's own Neo4j, or find that it runs, and return how it is now.
+
+        ``port`` is the one it listens on (else the one it had, first a free one); it stops after so many
+        ``idle_minutes`` without use (0: never). What is done goes to ``say``. Raises
+        :class:`~foon_kg.model.errors.ServerError` where it cannot be started.
+        """
+        from foon_kg.store.server import start, status
+
+        start(port=port, idle_minutes=idle_minutes, say=say)
+        return status()
+
+    @staticmethod
+    def stop_server(*, say: Say = silent) -> bool:
+        """Stop foon-kg's own Neo4j, whose data stays; whether it ran. What is done goes to ``say``."""
+        from foon_kg.store.server import stop
+
+        return stop(say)
+
+    @staticmethod
+    def server_status() -> ServerStatus:
+        """Return whether foon-kg's own Neo4j runs, where it answers, and where its data, password and log are.
+
+        >>> Foon.server_status().user
+        'neo4j'
+        """
+        from foon_kg.store.server import status
+
+        return status()
+
     def close(self) -> None:
         """Give connections back. Another question opens them again."""
         for name in ("_graph", "_connection"):
@@ -150,18 +182,6 @@ class Opened:
         if self._snapshot is not None:
             yield self._snapshot
             return
-        with self._graph.reading() as view:
-            yield view
-
-    @contextmanager
-    def reading_graph(self) -> Iterator[GraphView]:
-        """Open the graph that the FOON is in for reading. Raises ``UsageError`` for a FOON in files.
-
-        >>> with foon.reading_graph():
-        ...     pass
-        Traceback (most recent call last):
-        foon_kg.model.errors.UsageError: a FOON in files has no Neo4j to read
-        """
         with self._graph.reading() as view:
             yield view
 

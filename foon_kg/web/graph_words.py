@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from foon_kg.foon import Foon
-from foon_kg.model import KnownUnit
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.names import canonical
 from foon_kg.model.node_json import node_to_json
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.graph.overview import around_label, names_like, size_of
-from foon_kg.store.graph.rows import NamesLikeRow
-from foon_kg.store.graph.values import node_of
 from foon_kg.web.words import MOST_UNITS, Kind, Size, Words, no_object, units_to_json
+
+if TYPE_CHECKING:
+    from foon_kg.store.graph.rows import NamesLikeRow
 
 MOST_NAMES = 200
 """So many foods, objects and goals that a text may become are looked at."""
@@ -29,8 +28,9 @@ class GraphWords(Words):
     def __init__(self, foon: Foon) -> None:
         self.foon = foon
         self.lessons = ()
-        with self.foon.reading_graph() as view:
-            size, words = size_of(view), view.words_for(())
+        size = foon.size()
+        with foon.reading() as view:
+            words = view.words_for(())
         self.size = Size(size.units, size.videos, size.foods)
         self.dish_types = tuple(sorted(size.dish_types))
         self.states = sorted(filter(None, words.other_states))
@@ -51,25 +51,17 @@ class GraphWords(Words):
 
         Raises UnknownError with names that may be meant if there is none.
         """
-        with self.foon.reading_graph() as view:
-            there = around_label(view, label, MOST_UNITS)
-            if there is None:
-                raise no_object(label, self.named("object", label[: len(label) // 2 + 1].lower()))
-            made, taken = _sorted(view.units_of(there.made)), _sorted(view.units_of(there.taken))
+        there = self.foon.around(label, MOST_UNITS)
+        if there is None:
+            raise no_object(label, self.named("object", label[: len(label) // 2 + 1].lower()))
         return {
             "label": label,
             "utensil": Kitchen.default().is_utensil(label),
-            "nodes": list(map(node_to_json, sorted(map(node_of, there.nodes), key=lambda node: node.sort_key))),
-            "made_by": units_to_json(made, there.made_count),
-            "taken_by": units_to_json(taken, there.taken_count),
-            "videos": sorted(there.videos),
+            "nodes": list(map(node_to_json, there.nodes)),
+            "made_by": units_to_json(there.made, there.made_count),
+            "taken_by": units_to_json(there.taken, there.taken_count),
+            "videos": list(there.videos),
         }
 
     def _like(self, text: str, state: str = "") -> NamesLikeRow:
-        with self.foon.reading_graph() as view:
-            folded = canonical(text) if text else ""
-            return names_like(view, text, folded, state, MOST_NAMES)
-
-
-def _sorted(units: Sequence[KnownUnit]) -> list[KnownUnit]:
-    return sorted(units, key=lambda one: (one.seen_in, one.unit.key))
+        return self.foon.names_like(text, MOST_NAMES, state=state)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
@@ -10,9 +9,7 @@ from typing import Protocol
 from foon_kg.foon import Answer, Foon, Snapshot, WithDrafts
 from foon_kg.model import KnownUnit
 from foon_kg.model.errors import UsageError
-from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
-from foon_kg.store.graph.overview import some_videos
 from foon_kg.validation import KnownFoon
 from foon_kg.web.evidence import Place, by_place
 
@@ -94,8 +91,7 @@ class PartSources:
     @cached_property
     def sample(self) -> Snapshot:
         """Some videos of the FOON, the same as long as none of them is taken out."""
-        with self._foon.reading_graph() as view:
-            return self._videos(some_videos(view, SAMPLE))
+        return self._foon.sample(SAMPLE)
 
     def get_ready(self) -> None:
         """Read some videos."""
@@ -118,11 +114,5 @@ class PartSources:
             raise TypeError("only a plan has sources")
         plan = answer.outcome
         seen = {sighting.video for unit in plan.units for sighting in unit.sightings}
-        part = self._videos(seen | set(plan.reference.videos))
-        with self._foon.reading_graph() as view:
-            goals = view.goals(plan.recipe.dish_type)
-        return Source(KnownFoon.of(part.units, goals), by_place(part.units))
-
-    def _videos(self, names: Collection[str]) -> Snapshot:
-        with self._foon.reading_graph() as view:
-            return Snapshot.of(view.subgraphs(names), Kitchen.default())
+        part = self._foon.of_videos(seen | set(plan.reference.videos))
+        return Source(KnownFoon.of(part.units, self._foon.goals(plan.recipe.dish_type)), by_place(part.units))

@@ -11,7 +11,8 @@ import pytest
 ROOT = Path(__file__).parents[2]
 AT_THE_DOOR = (
     "foon_kg.foon", "foon_kg.foon.answering", "foon_kg.foon.changing", "foon_kg.foon.collected",
-    "foon_kg.foon.drafting", "foon_kg.foon.evaluating", "foon_kg.foon.opened", "foon_kg.foon.plan",
+    "foon_kg.foon.drafting", "foon_kg.foon.evaluating", "foon_kg.foon.exploring", "foon_kg.foon.opened",
+    "foon_kg.foon.plan",
 )  # fmt: skip
 
 

@@ -15,7 +15,7 @@ import pytest
 import foon_kg
 from foon_kg import Foon, foon
 from foon_kg.food.motion_costs import MotionCosts
-from foon_kg.foon import answering, changing, collected, drafting, evaluating, opened, plan
+from foon_kg.foon import answering, changing, collected, drafting, evaluating, exploring, opened, plan
 from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.loaders import read_paths
 from foon_kg.loaders.recipe_collections import RecipeCollections
@@ -52,8 +52,8 @@ def test_the_examples_of_a_foon_in_neo4j_are_true(empty_graph):
         door.load(demo_folder())
         door.store_recipes(recipes)
         names = {"foon": door, "demo_folder": demo_folder}
-        done = [doctest.testmod(module, extraglobs=names) for module in (changing, collected)]
-    assert [one.failed for one in done] == [0, 0]
+        done = [doctest.testmod(module, extraglobs=names) for module in (changing, collected, exploring)]
+    assert [one.failed for one in done] == [0, 0, 0]
     assert all(one.attempted > 5 for one in done)
 
 

@@ -27,16 +27,12 @@ ALLOWED = {
     "planning.processes": None,  # how processes begin and end: nothing of a FOON
     "planning.cluster": {"spread_over"},
     "store.vocabulary": {"states_made"},
-    "store.graph.overview": None,  # what is asked of the view that Foon.reading_graph opens
-    "store.graph.rows": {"NamesLikeRow"},  # what such a view answers
-    "store.graph.values": {"node_of"},  # a node out of that
     "store.graph.free_cypher": {"Answer"},  # what Foon.cypher returns
     "validation": None,  # the judge: it knows nothing of planning, and is asked of trees of anybody
 }
 """Names of other rooms that anybody at the door may use; ``None``: all."""
 
 ROOMS_OF_THEIR_OWN = {
-    "cli.server": "store.server",  # looks after the program, not after a FOON
     "cli.evaluate": "evaluation",  # measures what the door answers
     "web.examples": "evaluation.left_out_video",
     "cli.draft": (  # Foon.drafts makes them: here are their files, what people decide of them, and recipes as texts
@@ -101,7 +97,7 @@ def public(owner):
     ]
 
 
-NO_EXAMPLE = {"on_this_machine", "import_offline", "stage_recipes"}
+NO_EXAMPLE = {"on_this_machine", "start_server", "stop_server", "import_offline", "stage_recipes"}
 """They start, or replace, what whoever runs the examples has."""
 
 
