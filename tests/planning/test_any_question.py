@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 from examples import examples
-from hypothesis import assume, event, given
+from hypothesis import assume, event, example, given
 from hypothesis import strategies as st
 from integration.told import subgraphs
 from planner.judged import fatal
@@ -114,9 +114,16 @@ few = examples(8)
 any_recipe = st.one_of(recipes(), st.sampled_from(SURE))
 
 
+WATER_BY_ANOTHER_NAME = Recipe(
+    "soup", (RequiredIngredient("boiling water", ""), RequiredIngredient("capellini", "")), "asked"
+)
+"""Water whose evidence is that of water, and not its own."""
+
+
 @pytest.mark.slow
 @examples(60)
 @given(recipes())
+@example(WATER_BY_ANOTHER_NAME)
 def test_the_answer_is_a_tree_without_a_fatal_finding_or_a_reason(recipe):
     result = answer(recipe)
     event("no tree" if isinstance(result, PlanFailure) else "tree")

@@ -36,7 +36,7 @@ class Water:
         foods = (self.known.foods.food(stuff.label) for stuff in pot.contents)
         if water is None or device is None or any(not one.is_a(*word_list("goes into the water")) for one in foods):
             return
-        boils = self.bench.attest([("boil", ()), ("heat", ())], ("water",))
+        boils = self.bench.attest([("boil", ()), ("heat", ())], water.foods)
         if boils is None or "boiling" in water.states:
             return
         self.bench.switch(pot, device, on=True)
