@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -74,7 +74,8 @@ def videos(
     if first is None:
         raise UsageError("there is nothing to draft", hint="The lines above say what is wrong with the files.")
     failed: list[str] = []
-    _write(_drafts(chain([first], narrations), files, say, failed=failed), output, force=force, as_json=as_json)
+    free = _with_free_names(chain([first], narrations), output, force=force)
+    _write(_drafts(free, files, say, failed=failed), output, as_json=as_json)
     if failed:
         raise typer.Exit(1)
 
@@ -119,7 +120,8 @@ def text(
             listed = ()
         sentences = tuple(map(Sentence, parts.instructions))
         narrations.append(Narration(path.stem, sentences=sentences, source=path.name, ingredients=listed))
-    _write(_drafts(narrations, files, say, dish), output, force=force, as_json=as_json)
+    free = list(_with_free_names(narrations, output, force=force))  # all, before the first is drafted
+    _write(_drafts(free, files, say, dish), output, as_json=as_json)
 
 
 @app.command(epilog=examples("foon draft accept drafts/P01_01.csv", "foon draft accept drafts/P01_01.csv --anyway"))
@@ -237,24 +239,38 @@ def _lines(path: Path) -> tuple[str, ...]:
     return found
 
 
-def _write(drafts: Iterable[Draft], folder: Path, *, force: bool, as_json: bool) -> None:
+def _write(drafts: Iterable[Draft], folder: Path, *, as_json: bool) -> None:
     """Write each draft into ``folder``, and say how sure it is."""
     from foon_kg.language.drafting.tables import write_draft
 
     counts = []
-    names = set[str]()
-    with writing(folder, "Another --output."):
-        folder.mkdir(parents=True, exist_ok=True)
     for draft in drafts:
-        path = folder / f"{draft.name}.csv"
-        if draft.name in names:  # --force is for drafts of an earlier run
-            raise UsageError(f"{path}: two of these drafts have this name", hint="Draft them into two folders.")
-        names.add(draft.name)
-        if path.exists() and not force:
-            raise UsageError(f"{path}: is there already", hint="Another --output, or --force.")
+        path = _file_of(draft.name, folder)
         write_file(path, write_draft(draft), "Another --output.")
         counts.append({"file": str(path), "units": len(draft.units), "left_out": len(draft.left_out)})
         if not as_json:
             typer.echo(f"{path}: {len(draft.units)} units, {len(draft.left_out)} narrations left out")
     if as_json:
         print_json(counts)
+
+
+def _with_free_names(narrations: Iterable[Narration], folder: Path, *, force: bool) -> Iterator[Narration]:
+    """Pass ``narrations`` on that can be written into ``folder``, which is made; raises UsageError at one that cannot.
+
+    So nothing is drafted that is refused for its name.
+    """
+    names = set[str]()
+    with writing(folder, "Another --output."):
+        folder.mkdir(parents=True, exist_ok=True)
+    for narration in narrations:
+        path = _file_of(narration.name, folder)
+        if narration.name in names:  # --force is for drafts of an earlier run
+            raise UsageError(f"{path}: two of these drafts have this name", hint="Draft them into two folders.")
+        names.add(narration.name)
+        if path.exists() and not force:
+            raise UsageError(f"{path}: is there already", hint="Another --output, or --force.")
+        yield narration
+
+
+def _file_of(name: str, folder: Path) -> Path:
+    return folder / f"{name}.csv"

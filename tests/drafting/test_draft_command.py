@@ -59,6 +59,7 @@ def test_two_drafts_of_one_name_are_refused_although_earlier_ones_may_be_written
         words.append(file)
     words += ["-o", tmp_path / "drafts", "--files", foon_folder, "--force"]
     assert "two of these drafts have this name" in foon("draft", "text", *words, code=2).output
+    assert list((tmp_path / "drafts").iterdir()) == [], "it is refused before the first is drafted"
 
 
 def test_a_draft_that_is_there_is_not_written_over(draft_file, foon_folder):
