@@ -24,15 +24,20 @@ from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
     from foon_kg.food.motion_costs import MotionCosts
-    from foon_kg.foon.plan import Plan, Step
+    from foon_kg.foon.plan import Plan as Plan
+    from foon_kg.foon.plan import Step as Step
     from foon_kg.model import KnownUnit
     from foon_kg.model.knowledge import Neighbour
-    from foon_kg.planning.batch import Answer, Question
+    from foon_kg.planning.batch import Answer as Answer
+    from foon_kg.planning.batch import Question as Question
     from foon_kg.planning.candidates import Candidates
-    from foon_kg.planning.explanation import Explanation, Joining, PassedOver
-    from foon_kg.planning.kitchen_file import ReadKitchen
+    from foon_kg.planning.explanation import Explanation as Explanation
+    from foon_kg.planning.explanation import Joining as Joining
+    from foon_kg.planning.explanation import PassedOver as PassedOver
+    from foon_kg.planning.kitchen_file import ReadKitchen as ReadKitchen
     from foon_kg.planning.recipes import IngredientWords, ReadRecipe
-    from foon_kg.planning.settings import PlanSettings, Substitute
+    from foon_kg.planning.settings import PlanSettings as PlanSettings
+    from foon_kg.planning.settings import Substitute as Substitute
     from foon_kg.planning.suggestion import Suggestion, Suggestions
     from foon_kg.plans.kitchen import Kitchen
     from foon_kg.plans.result import PlanResult
@@ -40,27 +45,10 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.search.classic import RetrievalResult
     from foon_kg.store.doctor import Finding
     from foon_kg.store.graph import GraphView
-    from foon_kg.store.settings import ConnectionSettings
-    from foon_kg.store.snapshot import Snapshot
+    from foon_kg.store.settings import ConnectionSettings as ConnectionSettings
+    from foon_kg.store.snapshot import Snapshot as Snapshot
     from foon_kg.store.statistics import Statistics
-    from foon_kg.store.with_drafts import WithDrafts
-
-__all__ = [
-    "Answer",
-    "ConnectionSettings",
-    "Explanation",
-    "Foon",
-    "Joining",
-    "PassedOver",
-    "Plan",
-    "PlanSettings",
-    "Question",
-    "ReadKitchen",
-    "Snapshot",
-    "Step",
-    "Substitute",
-    "WithDrafts",
-]
+    from foon_kg.store.with_drafts import WithDrafts as WithDrafts
 
 _HOMES = {
     "Answer": "foon_kg.planning.batch",
@@ -77,7 +65,7 @@ _HOMES = {
     "Substitute": "foon_kg.planning.settings",
     "WithDrafts": "foon_kg.store.with_drafts",
 }
-"""Where what a FOON is asked with, and what it answers with, is defined."""
+"""Where what a FOON is asked with, and what it answers with, is defined; a checker of types reads it from above."""
 
 
 def __getattr__(name: str) -> object:
