@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import tomllib
+from collections import Counter
+from importlib.resources import files
+
 import pytest
 
 from foon_kg.food import tables
@@ -127,3 +131,23 @@ def test_foods_are_meant_by_what_is_around_them(text, food, is_meant):
 )
 def test_foods_are_meant_by_kind_word_list_and_state(text, states, is_meant):
     assert Foods.read(text).mean("unsalted butter", tables().foods.food("unsalted butter"), states) is is_meant
+
+
+def rows_with_names():
+    for file in sorted(files("foon_kg.food").iterdir(), key=lambda one: one.name):
+        if file.name.endswith(".toml") and file.name != "called.toml":
+            table = tomllib.loads(file.read_text(encoding="utf-8"))
+            for section in filter(lambda one: isinstance(one, dict), table.values()):
+                yield from ((file.name, name, row) for name, row in section.items() if isinstance(row, dict))
+
+
+@pytest.mark.parametrize("field", ["called", "never"])
+def test_no_name_stands_twice_in_a_row_of_a_table(field):
+    """Names and titles are read in the singular: a plural beside it says nothing more."""
+    twice = [
+        (file, name, text)
+        for file, name, row in rows_with_names()
+        for text, count in Counter(" ".join(words(text)) for text in row.get(field, ()) if text[0] != "@").items()
+        if count > 1
+    ]
+    assert twice == []
