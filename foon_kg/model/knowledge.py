@@ -87,7 +87,8 @@ class Vocabulary:
 
 
 UNLIKE = 0.1
-"""Below this confidence a food is like nothing that is known: less than one cook in ten takes it."""
+"""Below this confidence a food is like nothing that is known: less than one cook in ten takes it, and confidences
+below it are 0."""
 
 FAIR = 0.5
 """From this confidence on a cook would rather accept a food for another one than not."""

@@ -8,16 +8,13 @@ from typing import Protocol
 import numpy as np
 import numpy.typing as npt
 
-from foon_kg.model.knowledge import UNLIKE, Neighbour
+from foon_kg.model.knowledge import Neighbour
 
 Confidences = npt.NDArray[np.float64]
 
 DECIMALS = 6
 """Confidences are rounded to this, so that the last bits of a matrix product, which depend on its shape, decide no
 tie (C9)."""
-
-LEAST = UNLIKE
-"""Less than one cook in ten takes what is at less: nothing like the wanted food. Confidences below it are 0."""
 
 
 class Similarity(Protocol):

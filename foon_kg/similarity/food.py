@@ -4,7 +4,7 @@
 judged as a cook would, stretched so that what is *told* (the first five of a food) is accepted as often as is said.
 ``benchmarks/similarity.py`` fits the weights (``similarity.json``) and measures them on halves that they were not
 fitted on: of what was told at 0.9 or more 97 % were accepted, at 0.5 to 0.7 54 %, at 0.1 to 0.3 18 %. So 0.5 means: as
-likely as not, a cook would accept the known food. Below ``LEAST`` (:mod:`foon_kg.similarity.confidences`) nothing is
+likely as not, a cook would accept the known food. Below ``UNLIKE`` (:mod:`foon_kg.model.knowledge`) nothing is
 like it, and the confidence is 0. Of a name with a word that no recipe and no table has ("floober sauce") nothing is
 sure. Equal canonical names are one food, at 1; nothing else reaches 0.99.
 """
@@ -20,9 +20,9 @@ from importlib.resources import files
 import numpy as np
 import numpy.typing as npt
 
-from foon_kg.model.knowledge import Neighbour
+from foon_kg.model.knowledge import UNLIKE, Neighbour
 from foon_kg.model.names import canonical, canonical_all
-from foon_kg.similarity.confidences import DECIMALS, LEAST, Confidences, best
+from foon_kg.similarity.confidences import DECIMALS, Confidences, best
 from foon_kg.similarity.evidence import KINDS, Evidence, Names
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.roles import roles, roles_of
@@ -78,7 +78,7 @@ class FoodSimilarity:
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
         """Return confidences, one row for each wanted name, one column for each known one.
 
-        They are 0 where nothing speaks for it, else between ``LEAST`` and 1.
+        They are 0 where nothing speaks for it, else between ``UNLIKE`` and 1.
         """
         rows, side = [canonical(name) for name in wanted], self._side(known)
         return _sure(self._odds(rows, side), rows, side)
@@ -163,7 +163,7 @@ def _roles(names: Sequence[str]) -> npt.NDArray[np.int64]:
 def _sure(odds: Table, rows: Sequence[str], side: _Known) -> Confidences:
     """Return the confidences that odds amount to: 0 for the least, 1 for the same name."""
     confidences = np.round(confidence_of(odds), DECIMALS)
-    like = np.where(confidences < LEAST, 0.0, confidences)
+    like = np.where(confidences < UNLIKE, 0.0, confidences)
     return np.where(np.array(rows, dtype=np.str_)[:, None] == side.names[None, :], 1.0, like)
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from foon_kg.model.knowledge import Neighbour
+from foon_kg.model.knowledge import UNLIKE, Neighbour
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
-from foon_kg.similarity.confidences import LEAST, nearest_of_each
+from foon_kg.similarity.confidences import nearest_of_each
 from foon_kg.similarity.points import Question, question
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.connection import Connection
@@ -78,4 +78,4 @@ def _best(rows: Sequence[EquivalentsRow], limit: int) -> tuple[tuple[Neighbour, 
 def _is_settled(answer: Sequence[Neighbour], row: EquivalentsRow, about: Question, limit: int) -> bool:
     """Say whether nothing further away than the last point is like it, or as good as the last of ``answer``."""
     most = about.most(min((cosine for _, _, cosine in row.nearest), default=0.0))
-    return most < LEAST or (len(answer) == limit and answer[-1].confidence > most)
+    return most < UNLIKE or (len(answer) == limit and answer[-1].confidence > most)

@@ -14,10 +14,9 @@ from itertools import chain
 from typing import Any
 
 from foon_kg.food import words
-from foon_kg.model.knowledge import FAIR, Gathering, MadeBy, SeenAs, Vocabulary
+from foon_kg.model.knowledge import FAIR, UNLIKE, Gathering, MadeBy, SeenAs, Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.similarity import Confidences, food_similarity
-from foon_kg.similarity.confidences import LEAST
 from foon_kg.similarity.points import question
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.equivalents import FIRST, MORE
@@ -34,7 +33,7 @@ Ask = Callable[[Mapping[str, Any]], list[WordsForRow]]
 
 @dataclass(frozen=True)
 class WordsFound:
-    """The part of the vocabulary, and each pair of a wanted food and a name of at least ``LEAST`` confidence.
+    """The part of the vocabulary, and each pair of a wanted food and a name of at least ``UNLIKE`` confidence.
 
     Every other name is less sure. A pair has the number of the food among those asked for.
     """
@@ -97,7 +96,7 @@ class _Found:
         bound = question(food).most(0.0 if is_all else self.nearest[food][1])
         best = self._best(food)
         fair = bool(best) and best[0] >= FAIR
-        return bound < LEAST and (not fair or (len(best) >= BEST and best[BEST - 1] > bound))
+        return bound < UNLIKE and (not fair or (len(best) >= BEST and best[BEST - 1] > bound))
 
     def _best(self, food: str) -> list[float]:
         """Return how sure each known name is for ``food``, the surest first."""
@@ -117,5 +116,5 @@ class _Found:
     def pairs(self) -> Iterator[tuple[int, str, float]]:
         for number, row in enumerate(self.confidences.tolist()):
             for name, confidence in zip(self.names, row, strict=True):
-                if confidence >= LEAST:
+                if confidence >= UNLIKE:
                     yield number, name, confidence
