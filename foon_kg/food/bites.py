@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says
 from foon_kg.food.rows import Dish
 
 
@@ -15,7 +15,5 @@ def is_eaten_by_bites(told: Collection[str], dishes: Collection[Dish]) -> bool:
     """
     if any(dish.stacked or dish.laid for dish in dishes):
         return False
-    knife = not word_list("is eaten with a knife").isdisjoint(told)
-    return not word_list("is eaten by bites").isdisjoint(told) and (
-        not knife or not word_list("is eaten by bites whatever is in it").isdisjoint(told)
-    )
+    knife = says(told, "is eaten with a knife")
+    return says(told, "is eaten by bites") and (not knife or says(told, "is eaten by bites whatever is in it"))

@@ -6,7 +6,7 @@ together for one question of the program ("which foods are free", "which motions
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 
 from foon_kg.food.shipped import shipped
@@ -16,6 +16,14 @@ from foon_kg.food.shipped import shipped
 def word_list(name: str) -> frozenset[str]:
     """Return the words of the list ``name``, as ``word_list("free foods")``; KeyError for a list that is not there."""
     return word_lists()[name]
+
+
+def says(told: Iterable[str], what: str) -> bool:
+    """Whether one of the words that are ``told`` is of the list ``what``, as ``says(states, "runs")``.
+
+    KeyError for a list that is not there.
+    """
+    return not word_list(what).isdisjoint(told)
 
 
 @cache

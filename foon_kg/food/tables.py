@@ -15,7 +15,7 @@ from pathlib import Path
 
 from foon_kg.food.faults import FOODS, UTENSILS, malformed, unknown_targets
 from foon_kg.food.foods import FoodTable, make_room
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.parsing import Toml, dish_row, food_table, motion_row, needs_of, refused, state_row, utensil_rows
 from foon_kg.food.rows import Dish, Motion, State, Utensil
 from foon_kg.food.shipped import shipped
@@ -187,7 +187,7 @@ class Tables:
         ``types`` are the texts that may name the type.
         """
         dish = self.dishes[name]
-        is_other = not word_list("is not what it is called").isdisjoint(own[:start])
+        is_other = says(own[:start], "is not what it is called")
         end = start + len(name.split())
         only_modifies = is_other or (not dish.is_type and self._is_modifier(own, end, types))
         return replace(dish, needs=()) if only_modifies else dish
@@ -198,7 +198,7 @@ class Tables:
         So it is where the name of its type, one of ``types``, comes behind it and no word between says that both are.
         """
         last = max((at for at in range(end, len(own)) if own[at] in types and self.dishes[own[at]].is_type), default=-1)
-        return last >= end and word_list("names another dish or food").isdisjoint(own[end:last])
+        return last >= end and not says(own[end:last], "names another dish or food")
 
 
 def _finest(states: Iterable[State]) -> int | None:

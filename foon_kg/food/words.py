@@ -9,7 +9,7 @@ import functools
 import re
 from collections.abc import Collection, Sequence
 
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.model.names import without_accents
 
 _WORD = re.compile(r"[^\W\d_]+")
@@ -83,7 +83,7 @@ def is_among(name: str, names: Collection[str]) -> bool:
 def is_unbaked(title: str) -> bool:
     """Whether a title says that the dish is made without an oven: a no-bake cheesecake, on the stovetop."""
     told = title.lower().replace("-", " ")
-    return "no bake" in told or not word_list("is made on a stove").isdisjoint(words(told))
+    return "no bake" in told or says(words(told), "is made on a stove")
 
 
 def without_part(text: str) -> tuple[str, str]:
@@ -115,7 +115,7 @@ def heading_part(text: str) -> str:
     """
     said = list(reversed(re.findall(r"[^\W\d_]+", text.lower())))
     named = next((word for word in said if word in _named()), "")
-    own = (part for part in ("sauce", "salsa") if not word_list(f"is a {part} by its name").isdisjoint(said))
+    own = (part for part in ("sauce", "salsa") if says(said, f"is a {part} by its name"))
     return _ALIKE.get(named, named) or next(own, "")
 
 

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from foon_kg.food import Tables, is_unbaked, words
 from foon_kg.food.bites import is_eaten_by_bites
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import Dish
 from foon_kg.goals.names import is_baked, made_of_verb
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
@@ -143,18 +143,18 @@ class Asked:
     @cached_property
     def is_eaten_cold(self) -> bool:
         """Whether a dressing comes over it, and the title does not say that it is warm."""
-        return self.dressed and word_list("is eaten warm").isdisjoint(self.title_words)
+        return self.dressed and not says(self.title_words, "is eaten warm")
 
     @cached_property
     def in_a_pan(self) -> bool:
         """Whether the title says that the dish is cooked in a pan, and the type does not say that it is baked."""
-        named = not word_list("is cooked in a pan").isdisjoint(self.title_words)
+        named = says(self.title_words, "is cooked in a pan")
         return named and not is_baked(self.dish_type, "", self.known)
 
     @cached_property
     def is_cut_when_baked(self) -> bool:
         """Whether the title says that the dish is cut once it is baked."""
-        return not word_list("is cut when it is baked").isdisjoint(self.title_words)
+        return says(self.title_words, "is cut when it is baked")
 
     @cached_property
     def kinds(self) -> frozenset[str]:

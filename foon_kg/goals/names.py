@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from foon_kg.food import Tables, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says
 from foon_kg.food.rows import Motion
 
 BY_TITLE, BY_TYPE = 1.0, 0.6
@@ -30,11 +30,11 @@ def is_baked(dish_type: str, title: str, known: Tables) -> bool:
     A soup never does. ``known`` are the tables of dishes and motions.
     """
     told = words(title)
-    if not word_list("boils in the dish").isdisjoint(told):
+    if says(told, "boils in the dish"):
         return False
     if any(dish.baked for dish in known.dishes_named(dish_type, title)):
         return True
-    if not word_list("comes out of an oven").isdisjoint(told):
+    if says(told, "comes out of an oven"):
         return True
     return any("dry" in row.does for word in told for row in made_of_verb(word, known))
 

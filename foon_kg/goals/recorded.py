@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 from foon_kg.food import Food, Tables, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.goals.asked import CARRIES, SEASONS
 from foon_kg.integration.joining.batters import is_thin
 from foon_kg.integration.joining.layouts import Layout
@@ -108,7 +108,7 @@ class Recorded:
         Such a frame is still worth something (:mod:`~foon_kg.goals.score`): it may be the only one of its dish type.
         """
         goal = self.frame.goal
-        ends_early = not word_list("is not done").isdisjoint(goal.states)
+        ends_early = says(goal.states, "is not done")
         return self.layout.raw or ends_early or 2 * len(self.frame.weak) >= len(goal.ingredients) > 0
 
     @cached_property

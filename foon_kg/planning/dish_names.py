@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.techniques import Technique
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.choice import Fit, has_mostly_its_foods, is_truly
@@ -73,7 +73,7 @@ def closing(told: Collection[str], joins: Sequence[Join]) -> str:
     """
     flat = sum(join.want.facts.is_a(*word_list("can be rolled")) for join in joins) == 1
     ways = ("is rolled up", "is folded over")
-    return next((min(word_list(f"{way} by")) for way in ways if flat and not word_list(way).isdisjoint(told)), "")
+    return next((min(word_list(f"{way} by")) for way in ways if flat and says(told, way)), "")
 
 
 def made_as(dish_type: str, title: str, known: Tables) -> str:
@@ -110,4 +110,4 @@ def as_told(plan: Plan, asked: Asked, tin: str) -> Plan:
 
 def _is_one(told: Collection[str], name: str) -> bool:
     """Whether one of the words of a title stands in the list of a name."""
-    return not word_list(name).isdisjoint(told)
+    return says(told, name)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.food import Tables, singular, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import Food
 from foon_kg.food.told_states import in_turn
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
@@ -191,7 +191,7 @@ def names(foods: Iterable[str]) -> str:
 def was_taken_out(case: Case, food: str) -> bool:
     """Return whether ``food``, which nobody eats, gave its taste in ``case`` before it was taken out again."""
     given = word_list("is taken out of the dish")
-    if not word_list("is drunk").isdisjoint(case.dish_types):
+    if says(case.dish_types, "is drunk"):
         given |= word_list("is taken out of what is drunk") | word_list("stays in a strainer")
     if not any(facts.is_a(*given) for facts in _as_asked(case, food)):
         return False

@@ -6,7 +6,7 @@ import itertools
 from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Match, is_unbaked, singular, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.parted import parts_asked
 from foon_kg.food.rows import Dish
 from foon_kg.food.told_states import in_turn
@@ -87,14 +87,14 @@ def _stirred_layers(case: Case, goal: ObjectNode) -> Iterator[Finding]:
 def _layered(case: Case) -> list[str]:
     """Return the first word of the title by which a dish lies in layers, if any."""
     told = words(case.title)
-    stirred = not word_list("is laid in no layers").isdisjoint(told)
+    stirred = says(told, "is laid in no layers")
     return [] if stirred else [word for word in told if word in word_list("is laid in layers")][:1]
 
 
 def _is_never_hot(case: Case) -> bool:
     """Whether a dish is called as one that is cold."""
     cold = any(dish.heated is False and not dish.is_type for dish in case.tables.dishes_named(case.title))
-    return cold or not word_list("is never hot").isdisjoint(words(case.title))
+    return cold or says(words(case.title), "is never hot")
 
 
 def _unheated(case: Case, goal: ObjectNode) -> Iterator[Finding]:
@@ -131,7 +131,7 @@ def _of_kind(case: Case, listed: str) -> list[Part]:
 def _is_raw_sauce(case: Case, goal: ObjectNode) -> bool:
     """Whether a sauce is one that is eaten raw, by its name or by what is in it."""
     called = (*words(case.title), *words(goal.label))
-    return not word_list("is a raw sauce").isdisjoint(called) or bool(_of_kind(case, "makes a raw sauce"))
+    return says(called, "is a raw sauce") or bool(_of_kind(case, "makes a raw sauce"))
 
 
 def _baked(case: Case) -> bool:
@@ -341,7 +341,7 @@ def _is_baked_on(case: Case, joined: int) -> bool:
 def _crowns(case: Case, part: Part) -> bool:
     """Whether a part lies on top of what is cooked, or of what is drunk."""
     crowns = word_list("lies on what is cooked") | word_list("lies on what is eaten with a spoon")
-    drunk = not word_list("is drunk").isdisjoint(case.dish_types)
+    drunk = says(case.dish_types, "is drunk")
     return part.food.is_a(*crowns) and (drunk or _was_hot(case))
 
 

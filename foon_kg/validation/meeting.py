@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 
 from foon_kg.food import words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
 from foon_kg.world import Happening, Lump, Part, Vessel
@@ -29,7 +29,7 @@ def hot_on_cold(case: Case) -> Iterator[Finding]:
 def _is_dressed_cold(case: Case) -> bool:
     """Whether a dish is of a type that is dressed, and its title calls it by nothing that is eaten warm."""
     dressed = any(dish.dressed for dish in case.tables.dishes_named(*case.dish_types))
-    return dressed and word_list("is eaten warm").isdisjoint(words(case.title))
+    return dressed and not says(words(case.title), "is eaten warm")
 
 
 def _has_cooled(part: Part, other: Part) -> bool:
@@ -59,7 +59,7 @@ def lumpy(case: Case) -> Iterator[Finding]:
 def _is_dry_starch(lump: Lump, happening: Happening) -> bool:
     """Whether what moved is starch or flour by itself, as it comes out of its packet."""
     mention = next((node for node, one in happening.outputs.items() if one is lump), None)
-    if mention is None or mention.ingredients or not word_list("runs").isdisjoint(mention.states):
+    if mention is None or mention.ingredients or says(mention.states, "runs"):
         return False
     return any(part.food.kind in word_list("makes lumps") and part.name == lump.label for part in lump.parts)
 

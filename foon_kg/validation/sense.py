@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from foon_kg.food import singular, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.validation.case import Case, names
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import never_lit, of_world
@@ -49,7 +49,7 @@ def _stirred_toppings(case: Case) -> Iterator[Finding]:
 
 def _stirred_bread(case: Case) -> Iterator[Finding]:
     """Yield bread in large pieces, untoasted, that is stirred into what it is eaten with."""
-    if word_list("is eaten with bread").isdisjoint(case.dish_types):
+    if not says(case.dish_types, "is eaten with bread"):
         return
     for part in _mixed_in_pieces(case):
         mixed = part.mixed or 0
@@ -77,7 +77,7 @@ def _mixed_in_pieces(case: Case) -> list[Part]:
 def _only_drunk_blended(case: Case) -> frozenset[str]:
     """Return the kinds of food that are in pieces in no drink such as this one; none for what is no drink."""
     pieces_told = word_list("is called by pieces in it") | word_list("is drunk hot")
-    if word_list("is drunk").isdisjoint(case.dish_types) or not pieces_told.isdisjoint(words(case.title)):
+    if not says(case.dish_types, "is drunk") or not pieces_told.isdisjoint(words(case.title)):
         return frozenset()
     if any(part.food.is_a(*word_list("is drunk with pieces in it")) for part in case.parts):
         return frozenset()

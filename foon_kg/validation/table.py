@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Level, singular, words
 from foon_kg.food.bites import is_eaten_by_bites
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import Dish
 from foon_kg.model import ObjectNode
 from foon_kg.validation.case import Case
@@ -66,7 +66,7 @@ def _eased(case: Case, called: Sequence[Dish]) -> frozenset[str]:
 
 def _may_not_be_raw_egg(case: Case, part: Part) -> bool:
     """Whether a part is egg in a dish with a title, of a type that holds no raw egg."""
-    return bool(case.title) and part.food.is_a("egg") and not word_list("holds no raw egg").isdisjoint(case.dish_types)
+    return bool(case.title) and part.food.is_a("egg") and says(case.dish_types, "holds no raw egg")
 
 
 def _owed_heat(case: Case, part: Part) -> Iterator[tuple[str, Level]]:
@@ -126,7 +126,7 @@ def _more_than_a_bite(case: Case) -> Iterator[Finding]:
     if not is_eaten_by_bites(told, case.tables.dishes_named(*case.dish_types, case.title)):
         return
     for part in case.parts:
-        small = not word_list("is a small one").isdisjoint(words(part.name))
+        small = says(words(part.name), "is a small one")
         if part.fine == _HALVED and not small and part.food.is_a(*word_list("is more than a bite in halves")):
             yield Finding("K2", f"half of one {part.name} is more than a bite", minor=True)
 
@@ -134,7 +134,7 @@ def _more_than_a_bite(case: Case) -> Iterator[Finding]:
 def _is_left_in(case: Case, part: Part) -> bool:
     """Whether what only gives its taste is still in the dish, by its name, and in one piece."""
     told = {singular(food) for food in case.goal.ingredients} if case.goal is not None else set[str]()
-    plucked = not word_list("is plucked off its stem").isdisjoint((*part.states, *words(part.name)))
+    plucked = says((*part.states, *words(part.name)), "is plucked off its stem")
     plucked = plucked and not part.food.is_a(*word_list("is a leaf by itself"))
     return part.fine == 0 and not plucked and (part.name in told or not told)
 
@@ -188,7 +188,7 @@ def _killed(case: Case, happening: Happening) -> Iterator[Finding]:
 
 
 def _is_boiling(node: ObjectNode) -> bool:
-    return "cooled" not in node.states and not word_list("is boiled water").isdisjoint(node.states)
+    return "cooled" not in node.states and says(node.states, "is boiled water")
 
 
 def _needs_heat(part: Part) -> bool:

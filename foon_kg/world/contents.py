@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food import Utensil, is_among
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says
 from foon_kg.model import ObjectNode
 from foon_kg.world.outcome import WORKS, Outcome
 from foon_kg.world.reading import Said
@@ -59,7 +59,7 @@ def _run_through(out: Outcome) -> None:
     """
     for vessel in dict.fromkeys((*out.happening.vessels, *out.vessel_of.values())):
         for lump in list(vessel.lumps) if _is_strainer(vessel.row) else ():
-            if not word_list("keeps its shape").isdisjoint(lump.states) or _has_set(lump):
+            if says(lump.states, "keeps its shape") or _has_set(lump):
                 continue
             lump.parts = [part for part in lump.parts if not part.food.is_a("liquid", "water")]
             if not lump.parts:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food import Food, Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 
 _SEVERAL = 2  # foods make a mixture
 
@@ -28,9 +28,9 @@ def _runs_as_it_is(facts: Food, states: Sequence[str], known: Tables) -> bool:
     """Whether a single food runs: by itself, by a state that it is in, or because it is out of its shell."""
     opened = facts.is_a(*word_list("runs out of its shell")) and "shell" in facts.owes
     cooked = any(known.state(state).needs_heat or "cook" in known.state(state).earns for state in states)
-    if opened and not cooked and not word_list("is open and raw").isdisjoint(states):
+    if opened and not cooked and says(states, "is open and raw"):
         return True
-    runs = not word_list("runs").isdisjoint(states)
+    runs = says(states, "runs")
     return runs or (facts.is_a("liquid") and not facts.is_a("creamy"))
 
 

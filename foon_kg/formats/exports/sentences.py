@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 from itertools import permutations
 
 from foon_kg.food import motions
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.formats.exports.phrases import (
     hosts_things,
     in_words,
@@ -207,13 +207,13 @@ class _Reading:
 
     def _smeared_over(self, target: ObjectNode) -> list[str]:
         """Return the foods over which what is brought is smeared; none where nothing is."""
-        if word_list("is smeared by").isdisjoint(self._verb.split()) or not _called(target.label, self._utensils):
+        if not says(self._verb.split(), "is smeared by") or not _called(target.label, self._utensils):
             return []
         return self._held_besides(target)
 
     def _dipped(self, target: ObjectNode) -> list[str]:
         """Return what is dipped into what is brought to it: what the ``target`` holds or carries besides."""
-        if word_list("is turned in by").isdisjoint(self._verb.split()):
+        if not says(self._verb.split(), "is turned in by"):
             return []
         return self._held_besides(target)
 

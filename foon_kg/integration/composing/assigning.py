@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from foon_kg.food import singular, tables, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.techniques import Around, Foods, Part, Technique
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.spots import Join
@@ -67,7 +67,7 @@ def _states(want: Want) -> set[str]:
         "due": bool(due),
         "raw": "cook" in due and not (want.cooked and want.make),
         "runs": want.squeezed or want.asked in word_list("runs"),
-        "several": label != singular(label) or not word_list("is asked twofold").isdisjoint(words(label)),
+        "several": label != singular(label) or says(words(label), "is asked twofold"),
         "as mash": bool(mash) or "made" in want.facts.traits,
         f"for {want.part}": bool(want.part),
     }

@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from foon_kg.food import Tables, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.named import Named
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
@@ -73,7 +73,7 @@ class Called:
     @property
     def boils(self) -> bool:
         """Whether it is a soup or the like: all of it boils in one pot, and is eaten with that."""
-        return not word_list("boils in the dish").isdisjoint(self.name_words)
+        return says(self.name_words, "boils in the dish")
 
     @property
     def drunk(self) -> bool:
@@ -140,7 +140,7 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
     line, joins = unmixed(line, joins)
     joins = fat_in_the_heat(joins)
     # in a soup or stew flour is stirred into the fat in its turn; in a tin or a batter it is no sauce's
-    if not (called.tin or called.boils or not word_list("is called battered").isdisjoint(called.name_words)):
+    if not (called.tin or called.boils or says(called.name_words, "is called battered")):
         line, joins = sauce_apart(line, joins)
     line, joins, one_pot = _stewed_or_smooth(line, joins, called, known)
     if is_formed(called.dishes, joins):

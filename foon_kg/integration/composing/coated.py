@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables, tables, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.joining.course import COATS
 from foon_kg.integration.joining.patterns import BAKE, COOK, MIX, SIMMER, STIR, TOP, TURN
 from foon_kg.integration.joining.spots import NATURAL, Join, any_is
@@ -131,7 +131,7 @@ def is_portion(want: Want, known: Tables) -> bool:
     """Return whether ``want`` is flesh that comes in portions, by the tables ``known``, and is not asked cut."""
     whole = not want.make or known.state(want.make).fineness == 0
     minced = want.facts.is_a(*word_list("patties are made of"))
-    return whole and not minced and not word_list("is a portion").isdisjoint(words(want.label))
+    return whole and not minced and says(words(want.label), "is a portion")
 
 
 def _at(join: Join, stage: Stage) -> Join:

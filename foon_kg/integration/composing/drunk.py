@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from foon_kg.food import tables, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.joining.course import MIXES, WORKS
 from foon_kg.integration.joining.patterns import MIX, STIR
 from foon_kg.integration.joining.spots import Join
@@ -58,7 +58,7 @@ def for_many(line: Line, joins: Sequence[Join], title_words: Sequence[str]) -> t
 
     One glass does not hold it. Its ``joins`` are returned with it.
     """
-    if word_list("is made for many").isdisjoint(title_words):
+    if not says(title_words, "is made for many"):
         return line, tuple(joins)
     stages = {id(stage): _in_a_jug(stage) for stage in line.stages}
     found = []
@@ -86,7 +86,7 @@ def garnished(line: Line, joins: Sequence[Join], name_words: frozenset[str]) -> 
     """
     last = line.stages[-1]
     found = [join for join in joins if _is_garnish(join)]
-    if not word_list("is muddled or blended").isdisjoint(name_words) or len(found) in {0, len(joins)}:
+    if says(name_words, "is muddled or blended") or len(found) in {0, len(joins)}:
         return line, tuple(joins)
     top = replace(last, adds=(), motion="", does=frozenset(), tools=(), label="")
     at_top = (
@@ -98,5 +98,5 @@ def garnished(line: Line, joins: Sequence[Join], name_words: frozenset[str]) -> 
 
 
 def _is_garnish(join: Join) -> bool:
-    cut = not word_list("garnishes a glass").isdisjoint({join.want.asked, *words(join.want.label)[-1:]})
+    cut = says({join.want.asked, *words(join.want.label)[-1:]}, "garnishes a glass")
     return join.want.facts.is_a(*word_list("is a leaf on a glass")) or (cut and join.want.facts.is_a(*_SLICES))

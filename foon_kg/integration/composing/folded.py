@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.joining.spots import NATURAL, Join
 from foon_kg.integration.teaching.frames import Line, Phase, Stage
 
@@ -25,7 +25,7 @@ def is_folded(joins: Sequence[Join], named: Collection[str]) -> bool:
 
     One that is baked, or thick with roots, is not.
     """
-    if word_list("is folded").isdisjoint(named) or not word_list("is not folded").isdisjoint(named):
+    if not says(named, "is folded") or says(named, "is not folded"):
         return False
     facts = [join.want.facts for join in joins]
     sets = any(one.is_a(*word_list("sets in a pan")) for one in facts)

@@ -8,7 +8,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Food, Tables, singular, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import CHOPPED, Dish
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.patterns import (
@@ -48,7 +48,7 @@ def formed(
     but a part of the dish: with pasta, in a soup.
     """
     mass = _Mass(joins, known, name_words)
-    if not mass.is_the_dish or not word_list("boils in the dish").isdisjoint(name_words):
+    if not mass.is_the_dish or says(name_words, "boils in the dish"):
         return line, tuple(joins)
     wet = [join for join in joins if mass.is_sauce(join)]
     smooth = mass.smoothed(wet)
@@ -271,7 +271,7 @@ def _is_listed_behind(want: Want, place: int) -> bool:
 
 def _is_listed_for_it(join: Join) -> bool:
     """Whether a recipe lists a food under the heading of what is shaped ("for the patties")."""
-    return not word_list("is the heading of a mass").isdisjoint(map(singular, words(join.want.part)))
+    return says(map(singular, words(join.want.part)), "is the heading of a mass")
 
 
 def _runs_around(facts: Food) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.food import Tables, singular, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.composing.techniques import stage_of
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
 from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot, any_is, only_carries
@@ -246,8 +246,8 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
 
 def _is_baked_at_last(title: str) -> bool:
     title_words = words(title)
-    boils = not word_list("boils in the dish").isdisjoint(title_words)
-    return not boils and not word_list("is baked at last").isdisjoint(title_words)
+    boils = says(title_words, "boils in the dish")
+    return not boils and says(title_words, "is baked at last")
 
 
 def _is_cooked_in_no_oven(line: Line) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.additions import is_strewn
@@ -52,13 +52,13 @@ def _is_blended_raw(stages: Sequence[Stage]) -> bool:
 
 
 def _is_served_cold(joins: Sequence[Join], name_words: Collection[str]) -> bool:
-    cold = not word_list("is served cold").isdisjoint(name_words)
+    cold = says(name_words, "is served cold")
     return cold and all({"cook", "boil"}.isdisjoint(join.want.facts.owes) for join in joins)
 
 
 def _is_to_be_smooth(joins: Sequence[Join], name_words: Collection[str]) -> bool:
     """Whether a dish is called so that it is smooth, or one of its foods makes it so."""
-    named = not word_list("is blended smooth").isdisjoint(name_words)
+    named = says(name_words, "is blended smooth")
     return named or any(_makes_it_smooth(join, name_words) for join in joins)
 
 

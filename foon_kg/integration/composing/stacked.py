@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import CHOPPED
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.composing.coated import coated_apart
@@ -49,7 +49,7 @@ class _CookedApart:
         self.known = known
         self.falls_apart = any(map(self._falls_apart, joins))
         self.raw = list(filter(self._is_raw, joins))
-        shaped = not word_list("holds patties").isdisjoint(name_words)
+        shaped = says(name_words, "holds patties")
         mass = self._mass(shaped=shaped)
         lone = self._lone_flesh(mass)
         self.shaped = shaped and bool(mass)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from foon_kg.food import Food
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.joining.spots import Join, any_is
 
 
@@ -34,7 +34,7 @@ def _is_raw_and_swells(join: Join) -> bool:
 def _is_in_one_vessel(title_words: Sequence[str]) -> bool:
     """Whether the words of a title, by themselves or two together, say that all is made in one vessel."""
     named = {*title_words, *map(" ".join, itertools.pairwise(title_words))}
-    return not word_list("says that all is in one vessel").isdisjoint(named)
+    return says(named, "says that all is in one vessel")
 
 
 def _are_small(foods: Sequence[Food]) -> bool:
@@ -48,7 +48,7 @@ def is_eaten_with_its_bath(joins: Sequence[Join], title: Sequence[str], dish_typ
 
     Nothing in the ``joins`` of such a dish is bound, creamy or baked; a title, if there is one, has to say it.
     """
-    said = not title or not word_list("is eaten with its bath").isdisjoint(title)
+    said = not title or says(title, "is eaten with its bath")
     if not said or dish_type not in word_list("may be eaten with its bath"):
         return False
     wet = any(join.want.facts.is_of(*word_list("swells what is small")) for join in joins)

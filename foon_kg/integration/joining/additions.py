@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.food import Food, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.joining.patterns import SIMMER, STIR
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
@@ -143,7 +143,7 @@ def phase_in(join: Join, medium: Medium, *, apart: bool) -> str:
     done = done or (apart and facts.is_a(*word_list("is boiled by itself")))
     if done and facts.is_a(*word_list("is stirred in last when it is done")):
         return LAST
-    uncut = not word_list("is no work for a knife").isdisjoint(words(join.want.label))
+    uncut = says(words(join.want.label), "is no work for a knife")
     hard = uncut and facts.is_a(*word_list("is flesh"))
     return WET if hard and phase_of(facts) in {SOON, LAST} else phase_suited(facts, medium)
 

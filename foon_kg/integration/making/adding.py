@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food import Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import Stuff, Vessel
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.alone import Alone
@@ -99,7 +99,7 @@ class Adding:
 
     def _has_set(self, vessel: Vessel) -> bool:
         """Whether what is made by a table stood in the cold to set: what comes then lies on it, unless it is drunk."""
-        cold = any(not word_list("was set in the cold").isdisjoint(stuff.states) for stuff in vessel.contents)
+        cold = any(says(stuff.states, "was set in the cold") for stuff in vessel.contents)
         return cold and self.plan.by_table and not self.plan.drunk
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Bench, Stuff, Vessel
 from foon_kg.integration.joining.course import MIXES
@@ -165,7 +165,7 @@ class Alone:
         oven, tray = bench.device("oven"), bench.vessel("baking tray")
         bench.switch(None, oven, on=True)
         self.carry.bring(ready, tray, None)
-        if word_list("is done dry").isdisjoint(method):
+        if not says(method, "is done dry"):
             self.carry.add_fat(tray, self.plan)
         device = bench.place(tray, oven.label, "in")
         stuff, states = ready.stuff, self._cooked_states(ready.stuff, want, attested.way)
@@ -248,7 +248,7 @@ class Alone:
         device = bench.place(pan, "stove", "on")
         runs = form_of(self.known, want.label, want.leaf) == "liquid"
         needs_fat = not runs and not want.facts.is_a("fat", *word_list("is fried until its fat runs"))
-        if needs_fat and word_list("is done dry").isdisjoint(method):
+        if needs_fat and not says(method, "is done dry"):
             self.carry.add_fat(pan, self.plan)
         bench.switch(pan, device, on=True)
         self.carry.bring(ready, pan, None)

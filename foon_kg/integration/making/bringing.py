@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from foon_kg.food import Tables, singular
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel, is_flat
 from foon_kg.integration.making.consistency import is_laid, is_liquid_or_soft, is_poured
 from foon_kg.integration.preparing.preparation import Ready, Want
@@ -145,7 +145,7 @@ class Bringing:
 
     def _by_hand(self, transport: Transport) -> Attested | None:
         """Return the evidence for what hands do with any food, as seldom as that may be: none picks up what runs."""
-        runs = not word_list("runs").isdisjoint(transport.stuff.states)
+        runs = says(transport.stuff.states, "runs")
         return self._attested(transport, _Ways(_BY_HAND, for_any=runs), strict=False)
 
     def _as_shown(self, transport: Transport) -> Sequence[Way]:
@@ -168,7 +168,7 @@ class Bringing:
         motions: frozenset[str] = frozenset()
         if row is not None and row.group in word_list("strews"):
             motions = word_list("is strewn by")
-        elif not word_list("is scooped").isdisjoint(transport.stuff.states):
+        elif says(transport.stuff.states, "is scooped"):
             motions = word_list("is scooped by")
         return [way for way in usual if way[0] in motions]
 

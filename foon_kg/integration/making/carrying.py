@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food import Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat, is_heated
 from foon_kg.integration.joining.batters import binds
 from foon_kg.integration.joining.course import Plan
@@ -111,7 +111,7 @@ class Carrier:
     def _soften(stuff: Stuff) -> None:
         """Let fat that is spread have lain out of the refrigerator: nobody spreads it as hard as it is there."""
         fresh = stuff.at is not None and bool(stuff.at.storage)
-        if fresh and not word_list("is hard in the refrigerator").isdisjoint(stuff.states):
+        if fresh and says(stuff.states, "is hard in the refrigerator"):
             stuff.states = (min(word_list("is soft so")),)
 
     # --- all that is in a vessel ---
@@ -217,7 +217,7 @@ class Carrier:
         last = stuffs[-1]
         if last.label in word_list("is spooned onto what it fills") and self._is_filled(target):
             return True
-        if not last.mixed or not word_list("keeps its shape").isdisjoint(last.states) or not self._is_tray(target):
+        if not last.mixed or says(last.states, "keeps its shape") or not self._is_tray(target):
             return False
         raw = not any(is_heated(stuff.states, self.known) for stuff in stuffs)
         return raw and any(binds(stuff.foods, self.known) for stuff in stuffs)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from foon_kg.food import Food, Tables, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import CHOPPED
 from foon_kg.integration.bench import Stuff, fineness, is_heated
 from foon_kg.integration.joining.batters import binds
@@ -26,7 +26,7 @@ SOLID = word_list("keeps its shape") | word_list("is one piece when it is done")
 
 def is_wet(stuff: Stuff, known: Tables) -> bool:
     """Return whether ``stuff``, a mixture, runs by the tables ``known``: it has liquid that was not baked away."""
-    if not stuff.mixed or not word_list("keeps its shape").isdisjoint(stuff.states):
+    if not stuff.mixed or says(stuff.states, "keeps its shape"):
         return False
     if is_runny(stuff.label, stuff.states, stuff.foods, known):
         return True
@@ -100,7 +100,7 @@ def _runs(stuff: Stuff, known: Tables) -> bool:
 
 def _is_shaped(stuffs: Sequence[Stuff], known: Tables) -> bool:
     """Whether one of some foods has a form of its own, or is flesh in one piece with nothing around it that runs."""
-    if any(not word_list("keeps its shape").isdisjoint(stuff.states) for stuff in stuffs):
+    if any(says(stuff.states, "keeps its shape") for stuff in stuffs):
         return True
     solids = [stuff for stuff in stuffs if stuff.mixed or not known.foods.food(stuff.label).is_a("fat")]
     alone = len(solids) == 1 or not any(_runs(stuff, known) for stuff in stuffs)
@@ -128,7 +128,7 @@ def _is_breaded(stuff: Stuff, known: Tables) -> bool:
     """Whether a mixture is one food that comes in portions, with what it was turned in."""
     flesh = {name for name in stuff.foods if known.foods.food(name).is_a(*word_list("is coated"))}
     coats = [known.foods.food(name) for name in stuff.foods if name not in flesh]
-    portion = len(flesh) == 1 and not word_list("is a portion").isdisjoint(words(*flesh))
+    portion = len(flesh) == 1 and says(words(*flesh), "is a portion")
     return stuff.mixed and portion and _are_dry_coats(coats)
 
 
@@ -164,7 +164,7 @@ def is_laid(known: Tables, label: str, states: tuple[str, ...], *, flat: bool) -
     """
     if known.foods.food(label, states).is_a(*word_list("carries what is stacked")):
         return True
-    if not word_list("lies in one piece").isdisjoint(states):
+    if says(states, "lies in one piece"):
         return True
     solid = form_of(known, label, states) in {"pieces", "whole"}
     return flat and solid and not is_poured(known, label, states)
@@ -180,4 +180,4 @@ def is_poured(known: Tables, label: str, states: tuple[str, ...]) -> bool:
     if form in {"liquid", "powder"} or fineness(states, known) >= CHOPPED:
         return True
     loose = known.foods.food(label, states).is_a(*word_list("lies loose"))
-    return loose and word_list("lies in one piece").isdisjoint(states) and form in {"pieces", "whole"}
+    return loose and not says(states, "lies in one piece") and form in {"pieces", "whole"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Food
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import Stuff, Thing, Vessel, foods_of, is_flat
 from foon_kg.integration.joining.course import COATS
 from foon_kg.integration.joining.spots import Join
@@ -55,7 +55,7 @@ class Dipping(Hands):
     def _is_dipped(self, line: Vessel) -> bool:
         """Whether a line makes what is dipped, and not what it is dipped into: it was given a form, or is no batter."""
         states = {state for stuff in line.contents for state in stuff.states}
-        if not word_list("keeps its shape").isdisjoint(states):
+        if says(states, "keeps its shape"):
             return True
         return any(self.known.foods.food(food).is_a(*word_list("is coated")) for food in foods_of(line))
 
@@ -82,7 +82,7 @@ class Dipping(Hands):
     def _is_unbeaten(self, stuff: Stuff) -> bool:
         """Whether it ran out of its shell, and nobody stirred it."""
         opened = self.known.foods.food(stuff.label).is_a(*word_list("runs out of its shell"))
-        return opened and not stuff.mixed and word_list("is stirred already").isdisjoint(stuff.states)
+        return opened and not stuff.mixed and not says(stuff.states, "is stirred already")
 
     def _laid_out(self, stage: Stage, vessels: Sequence[Vessel], dipped: Sequence[Join]) -> Vessel:
         """Return a plate or board with all that is dipped: that on which it lies already, if it lies on one."""

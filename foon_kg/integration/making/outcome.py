@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food import Food, Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of, is_flat, is_heated
 from foon_kg.integration.joining.course import COATS, Plan
 from foon_kg.integration.preparing.preparation import Want
@@ -126,7 +126,7 @@ class Outcome:
 
     def _foams(self, stage: Stage, vessel: Vessel) -> bool:
         """Whether one food is beaten by itself to a foam, and is called as before."""
-        foam = not word_list("is beaten to a foam").isdisjoint(stage.states)
+        foam = says(stage.states, "is beaten to a foam")
         return foam and len(vessel.contents) == 1 and not vessel.contents[0].mixed
 
     def _heated(self, way: Way, *, finished: bool) -> set[str]:

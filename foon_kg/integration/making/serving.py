@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import RefusedError, Stuff, Vessel, is_flat
 from foon_kg.integration.joining.course import WORKS
 from foon_kg.integration.joining.spots import Join
@@ -56,7 +56,7 @@ class Serving(Hands):
         mass, kinds = vessel.contents[0], word_list("patties are made of")
         alone = self.known.foods.food(mass.label).is_a(*word_list("is shaped by itself"))
         held = alone or (mass.mixed and any(self.known.foods.food(food).is_a(*kinds) for food in mass.foods))
-        in_one = not word_list("is shaped in one piece").isdisjoint(self.plan.label.split())
+        in_one = says(self.plan.label.split(), "is shaped in one piece")
         return min(word_list("is called so in portions")) if held and not in_one else ""
 
     def shaped(self, stage: Stage, vessel: Vessel, label: str) -> Vessel:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from foon_kg.food import Food
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import Vessel, foods_of
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.hands import Hands
@@ -19,7 +19,7 @@ class Smoothing(Hands):
         ``vessel`` is what it joins; ``None`` is returned where it joins as it is.
         """
         stuff = self.ready[join.want.number].stuff
-        if not self._makes_lumps(join, vessel) or stuff.mixed or not word_list("runs").isdisjoint(stuff.states):
+        if not self._makes_lumps(join, vessel) or stuff.mixed or says(stuff.states, "runs"):
             return None
         bowl = self.bench.vessel("bowl")
         self.carry.bring(self.ready[join.want.number], bowl, None)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from foon_kg.food import Food, Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.parted import PART
 from foon_kg.food.rows import MINCED
 from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat, is_heated
@@ -281,7 +281,7 @@ class Stages:
     def _is_shaped(self, vessel: Vessel) -> bool:
         """Whether dough was bought rolled out."""
         names = {word for food in foods_of(vessel) for word in food.split()}
-        return not word_list("dough that is shaped").isdisjoint(names)
+        return says(names, "dough that is shaped")
 
     def _is_done_so(self, stage: Stage, stuff: Stuff) -> bool:
         """Whether one food is as a stage would make it: beaten before, in small bits, or dough that was bought."""

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.bites import is_eaten_by_bites
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import POWDER, State
 from foon_kg.integration.preparing.preparation import CANNED, JUICE, Want
 from foon_kg.integration.teaching.operators import Operators
@@ -38,7 +38,7 @@ def _is_called_mashed(want: Want, title_words: Sequence[str]) -> bool:
     mash, heads = word_list("is mash"), words(want.label)[-1:]
     if any(head in heads and word in mash for head, word in itertools.pairwise(title_words)):
         return True
-    covers = not word_list("is covered with mash").isdisjoint(title_words)
+    covers = says(title_words, "is covered with mash")
     return covers and not want.cooked and want.facts.is_a(*word_list("covers a dish when it is mashed"))
 
 
@@ -89,7 +89,7 @@ def as_in_a_dish(wants: Iterable[Want], operators: Operators, title: str, dish_t
     The ``dish_type`` and ``title`` say what dish, ``operators`` what the FOON does with such foods.
     """
     wants, known, title_words = tuple(wants), operators.known, frozenset(words(title))
-    pressed = dish_type in word_list("is made with juice") and word_list("is made with slices").isdisjoint(title_words)
+    pressed = dish_type in word_list("is made with juice") and not says(title_words, "is made with slices")
     bites = is_eaten_by_bites((*words(dish_type), *title_words), known.dishes_named(dish_type, title))
 
     def meant(want: Want) -> Want:
@@ -124,7 +124,7 @@ def _comes_canned(want: Want, wants: Collection[Want], title_words: Collection[s
     """Whether a food that is too much work for a dish of many others is taken out of a can."""
     basis = word_list("a dish is built on") | word_list("a cold dish is built on")
     others = any(one.facts.is_a(*basis) for one in wants)
-    own = not word_list("is eaten with a knife").isdisjoint(title_words)
+    own = says(title_words, "is eaten with a knife")
     return others and not own and want.facts.is_a(*word_list("is canned for a dish"))
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food import words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.parted import parts_in
 from foon_kg.food.rows import HALVED, POWDER
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
@@ -145,7 +145,7 @@ class Preparer(Treater):
         """Cut a food that is ``ready`` again if half of one is too large to be eaten with a spoon or fork."""
         rows = [self.known.state(state) for state in ready.stuff.states]
         halves = max((row.fineness for row in rows), default=0) == HALVED
-        halves = halves and word_list("is a small one").isdisjoint(words(ready.want.label))
+        halves = halves and not says(words(ready.want.label), "is a small one")
         if halves and ready.want.facts.is_a(*word_list("is more than a bite in halves")):
             self._cut(ready, self.usual_cut(ready.want))
 
@@ -194,7 +194,7 @@ class Preparer(Treater):
     def _shape_elsewhere(self, want: Want, form: Sequence[str]) -> str:
         """Return the first cut of ``form``, the states in which such a food joins elsewhere, that is one for it."""
         never = want.facts.is_a(*word_list("is never so unasked"))
-        if never and not word_list("is a shape that is asked").isdisjoint(form):
+        if never and says(form, "is a shape that is asked"):
             return ""
         some = word_list("is a shape of some foods")
         fits = (state for state in form if state not in some or self.comes_so(want, state))
@@ -203,7 +203,7 @@ class Preparer(Treater):
     def _is_no_work_for_a_knife(self, want: Want) -> bool:
         """Whether a food is flesh that no knife cuts small, as its name says."""
         told = {*words(want.label), *words(want.facts.taken_for)}
-        hard = not word_list("is no work for a knife").isdisjoint(told)
+        hard = says(told, "is no work for a knife")
         return hard and want.facts.is_a(*word_list("is flesh"))
 
     def _is_still_whole(self, want: Want, state: str) -> bool:

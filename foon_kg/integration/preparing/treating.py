@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food import Level
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import RefusedError, Stuff, Vessel
 from foon_kg.integration.preparing.cutting import BOWL, STANDS_FOR, Cutter
 from foon_kg.integration.preparing.preparation import (
@@ -116,7 +116,7 @@ class Treater(Cutter):
         Where nothing shows how, and it is asked so, it is assumed to have been done.
         """
         ways = [way for motion in sorted(word_list("cuts off the ends")) for way in self.operators.ways_of(motion)]
-        ways = [way for way in ways if word_list("is no knife").isdisjoint(way[1])] or ways
+        ways = [way for way in ways if not says(way[1], "is no knife")] or ways
         attested = self.bench.near_or_far(self.with_a_knife(ways, ready.want), ready.want.names, act=True)
         if attested is None:
             if ready.want.make == state:

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from foon_kg.food import Food, Tables, singular, words
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import POWDER, State
 from foon_kg.food.told_states import asked_state, in_turn
 from foon_kg.integration.preparing.entitled import as_entitled, is_bought_so
@@ -79,7 +79,7 @@ def _cut_by_name(want: Want, known: Tables) -> Want:
         return want
     if grated_off:
         return replace(want, make=min(word_list("only grates")), leaf=("whole",))
-    cut = want.facts.sold_as == "whole" and not word_list("is cut so by name").isdisjoint(shape)
+    cut = want.facts.sold_as == "whole" and says(shape, "is cut so by name")
     return replace(want, make=shape[0]) if cut else want
 
 
@@ -102,7 +102,7 @@ def _in_a_package(want: Want) -> Want:
     if want.storage:
         return want
     for storage in ("bag", "bottle", "container", "packet"):  # each names a list of states
-        if not word_list(f"comes in a {storage}").isdisjoint(want.leaf):
+        if says(want.leaf, f"comes in a {storage}"):
             return replace(want, storage=storage)
     return want
 
@@ -266,7 +266,7 @@ def _is_known_to_be_made(want: Want, form: str, row: State) -> bool | None:
 
 def _is_too_small_to_be_cut(want: Want, row: State) -> bool:
     """Whether pieces are asked of flakes: they are as good as shreds, and nothing holds them to be cut."""
-    small = not word_list("is too small for a grater").isdisjoint(want.leaf)
+    small = says(want.leaf, "is too small for a grater")
     return small and row.earns == {"cut"} and row.fineness < POWDER
 
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from foon_kg.food import Food, Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import POWDER
 
 _SOLD_SOFT = frozenset({"creamy", "paste", "sauce", "jelly", "thick liquid", "thick sauce", "whipped"})
@@ -46,5 +46,5 @@ def form_of(known: Tables, label: str, states: tuple[str, ...]) -> str:
 
 def _runs(facts: Food, states: Sequence[str]) -> bool:
     """Whether a food is liquid, was made so, or comes with its liquid out of a can."""
-    made_so = not word_list("runs").isdisjoint(states)
+    made_so = says(states, "runs")
     return made_so or facts.is_a("liquid", "water", *word_list("runs out of its can"))
