@@ -86,6 +86,12 @@ SURE = (
 )
 """Recipes that surely have a tree, so that nothing is shown of failures alone."""
 
+ICED = Recipe("drinks", tuple(RequiredIngredient(food, "") for food in ("bacon", "ice", "egg replacer")))
+"""Ice is in a pot as water is, and no evidence of boiling water is of it (found by a campaign)."""
+
+MASHED = Recipe("salad", (RequiredIngredient("apple", ""), RequiredIngredient("potato", "mashed")))
+"""Nothing in the demo mashes: that is assumed, and a kitchen that has it has it ready (found by a campaign)."""
+
 
 def answer(recipe, planner=PLANNER):
     try:
@@ -124,6 +130,7 @@ WATER_BY_ANOTHER_NAME = Recipe(
 @examples(60)
 @given(recipes())
 @example(WATER_BY_ANOTHER_NAME)
+@example(ICED)
 def test_the_answer_is_a_tree_without_a_fatal_finding_or_a_reason(recipe):
     result = answer(recipe)
     event("no tree" if isinstance(result, PlanFailure) else "tree")
@@ -303,13 +310,17 @@ def in_kitchen(things):
 
 @few
 @given(any_recipe)
+@example(MASHED)
 def test_whoever_has_all_that_a_tree_takes_gets_that_tree(recipe):
     result = tree(recipe)
     assume(not full(result))
     kitchen, planner = in_kitchen(result.kitchen)
     found = planner.plan(recipe)
-    assert [unit.motion for unit in found.units] == [unit.motion for unit in result.units]
     assert fatal(found, SNAPSHOT, kitchen) == []
+    if result.assumptions:  # what no unit makes stands ready in that kitchen, and what was done before is not done
+        assert len(found.units) <= len(result.units)
+    else:
+        assert [unit.motion for unit in found.units] == [unit.motion for unit in result.units]
 
 
 @few
