@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -84,14 +84,23 @@ class Foods:
         """Whether all foods are meant that join nowhere else."""
         return self.terms == ("*",)
 
-    def mean(self, label: str, facts: Food, states: Iterable[str], around: Around = NOWHERE) -> bool:
+    def mean(self, label: str, facts: Food, states: Collection[str], around: Around = NOWHERE) -> bool:
         """Return whether a food is meant: it is called ``label``, and in ``states``, beside what is ``around`` it.
 
         ``facts`` are what the table of foods says of it.
         """
-        if self.state and not all(is_so(state, states) for state in self.state.split("&")):
-            return False
-        return all(_holds(term, label, facts, around) for term in self.terms)
+        return self.names(label, facts, around) and self.suits(states)
+
+    def names(self, label: str, facts: Food, around: Around = NOWHERE) -> bool:
+        """Return whether a food is called as one that is meant, in whatever state; arguments as of :meth:`mean`."""
+        for term in self.terms:  # noqa: SIM110 - asked some hundred times a plan
+            if not _holds(term, label, facts, around):
+                return False
+        return True
+
+    def suits(self, states: Collection[str]) -> bool:
+        """Return whether ``states`` are those in which a food is meant."""
+        return not self.state or all(is_so(state, states) for state in self.state.split("&"))
 
 
 def _term(text: str) -> str:
@@ -100,7 +109,7 @@ def _term(text: str) -> str:
     return f"{marks}#{singular_word(word)}" if is_word else marks
 
 
-def is_so(state: str, states: Iterable[str]) -> bool:
+def is_so(state: str, states: Collection[str]) -> bool:
     """Return whether what a row asks for is among ``states``; with a ``!`` before it, whether it is not."""
     return state[1:] not in states if state.startswith("!") else state in states
 

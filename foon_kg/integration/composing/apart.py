@@ -69,7 +69,7 @@ def _parted(
     kept = _for_its_lines(foods, technique)
     rest = [want for want in foods if want not in kept]
     own, sides = sides_of(rest, kept, dishes, recipe.dish_type, recipe.title or "", baked=baked)
-    left = technique_for(recipe.dish_type, title_words, own, recorded)
+    left = technique if own == foods else technique_for(recipe.dish_type, title_words, own, recorded)
     if not _is_named(sides):
         return Apart(foods, own, sides, left)
     if left is None and _says_what_is_put_on(technique):

@@ -59,12 +59,14 @@ class _Finder:
         self.dish_type = dish_type
         self.title_words = title_words
         self.listed = {place: want for want in wants for place in want.places}
+        self.parts = {want.part for want in wants} - {""}
         self.highest = 3 * SECOND  # the number of the last second portion
         self.behind: set[int] = set()  # the places right behind what comes on a cold dish
 
     def side(self, component: Component) -> Side | None:
         """Return the foods of a component, which are taken out of the rest; ``None`` where there is none."""
-        if not self._may_be(component.technique):
+        told = not component.parts.isdisjoint(self.parts)
+        if not (told or self._is_sought(component)) or not self._may_be(component.technique):
             return None
         around = self._around()
         places = self._places(component, around)
@@ -93,6 +95,11 @@ class _Finder:
         if not _is_of_its_foods(component, found, around):
             return False
         return _have(technique.needs, found, around) and _have(component.beside, rest, around)
+
+    def _is_sought(self, component: Component) -> bool:
+        """Whether a component is looked for though the recipe says of no food that it is for it."""
+        sought = component.guessed or component.behind or component.again
+        return bool(sought) and component.technique.is_called(self.dish_type, self.title_words)
 
     def _may_be(self, technique: Technique) -> bool:
         """Whether a dish of this type and title may have such a component."""
