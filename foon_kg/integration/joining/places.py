@@ -122,7 +122,7 @@ class Matcher:
             if len(food.joined) >= MOST_JOINED:
                 food.joined.clear()
             found = food.joined[layout, stacked] = self._join(layout, food, stacked=stacked)
-        return Join(want, found.spot, found.fit, found.slot)
+        return found if found.want is want else Join(want, found.spot, found.fit, found.slot)
 
     def _join(self, layout: Layout, food: Joiner, *, stacked: bool) -> Join:
         """Return where a food joins a dish: where its like does, if there is such, else where the dish has room for it.
@@ -189,13 +189,12 @@ class Matcher:
         found: Place | None = None
         most = NATURAL - 1e-9  # a fit of just that is natural
         needs = self._needs_of(food, layout.frame.dish_type)
-        usual = max((self.posts.likely(food.want, post, layout.frame.dish_type) for post in layout.posts), default=0.0)
         for place in layout.places:
             fit = self._fit(food, place, needs)
             if fit <= most or (place.slot.kind == "water" and not food.runs):
                 continue  # nor does a solid take the place of the water in which a dish is cooked
             if NATURAL <= fit < _SURELY and place.slot.kind != food.want.facts.kind:
-                fit *= self._as_usual(layout, food, place, usual)
+                fit *= self._as_usual(layout, food, place)
             if fit > most:
                 found, most = place, fit
         return None if found is None else Join(food.want, found.spot, most, found.slot)
@@ -209,15 +208,16 @@ class Matcher:
             return _SAME_ROLE
         return fit
 
-    def _as_usual(self, layout: Layout, food: Joiner, place: Place, usual: float) -> float:
+    def _as_usual(self, layout: Layout, food: Joiner, place: Place) -> float:
         """Return what a slot of a like food is worth: 1 where foods of this one's own kind join there, too.
 
-        A like food may join elsewhere than foods of this one's kind do: chives late, onions early. ``usual`` is how
-        often they join where they do most.
+        A like food may join elsewhere than foods of this one's kind do, where these join most: chives late, onions
+        early.
         """
         if food.main and place.main and place.spot is layout.bound:
             return 1.0  # patties are made of whatever they are made of
-        ratio = self.posts.likely(food.want, place.spot.post, layout.frame.dish_type) / usual if usual else 1.0
+        usual = max(self.posts.likely(food.want, post, layout.frame.dish_type) for post in layout.posts)
+        ratio = self.posts.likely(food.want, place.spot.post, layout.frame.dish_type) / usual
         return _UNSEEN + _SEEN * ratio if ratio >= _AS_USUAL else 0.0
 
     def _usual(self, layout: Layout, food: Joiner) -> Join:
