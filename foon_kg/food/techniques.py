@@ -92,7 +92,7 @@ class Foods:
         return self.names(label, facts, around) and self.suits(states)
 
     def names(self, label: str, facts: Food, around: Around = NOWHERE) -> bool:
-        """Return whether a food is called as one that is meant, in whatever state; arguments as of :meth:`mean`."""
+        """Return whether a food is one that is meant, in whatever state: by its ``label``, ``facts`` and ``around``."""
         for term in self.terms:  # noqa: SIM110 - asked some hundred times a plan
             if not _holds(term, label, facts, around):
                 return False

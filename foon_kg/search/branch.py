@@ -111,7 +111,7 @@ class Search(BranchAndBound):
 
     def _within(self, spare: int, weights: list[int], partial: Partial, options: Options) -> Options:
         """Leave out of ``options`` what no tree can have that weighs at most ``spare``."""
-        decided = list(bits_of(partial.decided))
+        decided = bits_of(partial.decided)
         cuts = cut_bound(self.reduced.web, weights, partial.waiting, decided, limit=spare)
         if cuts is None:
             return {}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeVar
@@ -103,12 +103,14 @@ def _known(numbers: Iterable[int], place: Mapping[int, int]) -> tuple[int, ...]:
     return tuple([there for number in numbers if (there := place.get(number)) is not None])
 
 
-def bits_of(mask: int) -> Iterator[int]:
-    """Yield the numbers of the bits that are set in ``mask``, the least first."""
+def bits_of(mask: int) -> list[int]:
+    """Return the numbers of the bits that are set in ``mask``, the least first."""
+    found = []
     while mask:
         low = mask & -mask
-        yield low.bit_length() - 1
+        found.append(low.bit_length() - 1)
         mask ^= low
+    return found
 
 
 def core_behind(problem: SearchProblem, goal: int, *, limit: float = math.inf) -> Core:

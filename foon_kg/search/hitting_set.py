@@ -142,7 +142,7 @@ def ascent(sets: Sequence[int], costs: Sequence[int]) -> tuple[int, dict[int, in
     """
     bound, left = 0, dict[int, int]()
     for one in sets:
-        members = list(bits_of(one))
+        members = bits_of(one)
         price = min([left.get(member, costs[member]) for member in members])
         bound += price
         for member in members:

@@ -74,7 +74,12 @@ def _parted(
         return Apart(foods, own, sides, left)
     if left is None and _says_what_is_put_on(technique):
         return _with_what_is_served(Apart(foods, foods, (), technique), sides, recipe.dish_type, title_words, recorded)
-    return Apart(foods, own, sides, None if left is not None and WHOLE in left.plan else left)
+    return Apart(foods, own, sides, _of_parts(left))
+
+
+def _of_parts(technique: Technique | None) -> Technique | None:
+    """Return a technique, unless it is none for a dish whose parts a recipe tells apart."""
+    return None if technique is not None and WHOLE in technique.plan else technique
 
 
 def _says_what_is_put_on(technique: Technique | None) -> bool:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import singular, words
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import Around, Component, Foods, Technique, components, is_so
+from foon_kg.food.techniques import Around, Component, Foods, components, is_so
 from foon_kg.integration.composing.assigning import means, takes
 from foon_kg.integration.preparing.preparation import SECOND, Want
 
@@ -65,8 +65,7 @@ class _Finder:
 
     def side(self, component: Component) -> Side | None:
         """Return the foods of a component, which are taken out of the rest; ``None`` where there is none."""
-        told = not component.parts.isdisjoint(self.parts)
-        if not (told or self._is_sought(component)) or not self._may_be(component.technique):
+        if not self._may_be(component):
             return None
         around = self._around()
         places = self._places(component, around)
@@ -101,8 +100,11 @@ class _Finder:
         sought = component.guessed or component.behind or component.again
         return bool(sought) and component.technique.is_called(self.dish_type, self.title_words)
 
-    def _may_be(self, technique: Technique) -> bool:
-        """Whether a dish of this type and title may have such a component."""
+    def _may_be(self, component: Component) -> bool:
+        """Whether a dish of this type and title may have such a component, and any food may be for it."""
+        if component.parts.isdisjoint(self.parts) and not self._is_sought(component):
+            return False
+        technique = component.technique
         holds = all(is_so(name, self.held) for name in technique.dishes)
         typed = not technique.types or self.dish_type in technique.types
         return holds and typed and not technique.is_never(self.title_words)

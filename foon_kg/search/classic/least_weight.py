@@ -120,7 +120,7 @@ class _Search(BranchAndBound):
         left = list(self.weights)
         for step in bits_of(outlook.needed):
             left[step] = 0
-        cuts = cut_bound(self.reduced.web, left, partial.waiting, list(bits_of(partial.decided)))
+        cuts = cut_bound(self.reduced.web, left, partial.waiting, bits_of(partial.decided))
         if cuts is None or cuts.bound > spare:
             return {}
         found = {node: self.reduced.choice.options(partial, node) for node in partial.waiting}
