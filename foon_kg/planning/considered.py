@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from foon_kg.goals.choice import Fit
 from foon_kg.model import ObjectNode
+from foon_kg.model.errors import NoTreeError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.node_json import node_to_json
 
@@ -78,3 +79,18 @@ def _considered(fit: Fit, taken: Fit) -> Considered:
     why = fit.vetoes[0] if fit.vetoes else "its foods have less of a natural place in it"
     frame, similarity = fit.frame, round(fit.similarity, 4)
     return Considered(frame.goal, frame.video, frame.dish_type, similarity, fit.similarity > taken.similarity, why)
+
+
+def made_after(found: Sequence[Fit], after: str) -> list[Fit]:
+    """Return those ``found`` that are of a dish or a video called ``after`` (``""``: any).
+
+    Raises :class:`NoTreeError` where none is.
+    """
+    chosen = [fit for fit in found if not after or after in {fit.frame.goal.label, fit.frame.video}]
+    if after and not chosen:
+        names = ", ".join(list(dict.fromkeys(fit.frame.goal.label for fit in found))[:5]) or "none"
+        hint = f"What suits these foods best: {names}."
+        raise NoTreeError(
+            f"these foods are not made after a dish or a video called “{after}”", code="no-goal", hint=hint
+        )
+    return chosen

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple
@@ -40,7 +41,7 @@ from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.knowledge import FAIR
 from foon_kg.planning.attempt import Attempt
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
-from foon_kg.planning.considered import Considered, nearer_goals, other_goals
+from foon_kg.planning.considered import Considered, made_after, nearer_goals, other_goals
 from foon_kg.planning.dish_names import as_told, eased, has_its_name, made_as, refuse_unknown_type
 from foon_kg.planning.explanation import Explanation, explanations
 from foon_kg.planning.likes import FoodLikes, RecipeLikes
@@ -123,14 +124,14 @@ class Planner:
 
     def plan(self, recipe: Recipe) -> PlanResult:
         """Return the task tree that makes ``recipe``; raises as :func:`plan` does."""
-        return self._finished(PlannedRecipe(self, recipe))
+        return self._finished(self._question(recipe))
 
     def reasons(self, recipe: Recipe) -> Reasons:
         """Return the tree of ``recipe``, why its foods are made as they are, and what else was considered.
 
         Raises as :func:`plan` does.
         """
-        question = PlannedRecipe(self, recipe)
+        question = self._question(recipe)
         others = other_goals(question.fits, question.best.fit, recipe.dish_type)
         return Reasons(self._finished(question), explanations(question.best, question.likes), tuple(others))
 
@@ -144,6 +145,19 @@ class Planner:
             raise UsageError(f"this FOON has no goal {goal}", hint="Give the FOON of the plan with --files.")
         question = PlannedRecipe(self, recipe)
         return self.references.tree(found, question.wanted(found.ingredients)).units
+
+    def _question(self, recipe: Recipe) -> PlannedRecipe:
+        """Return ``recipe`` planned with what stands ready, or without it where there is a tree only so; may raise."""
+        question = PlannedRecipe(self, recipe)
+        if any(want.at_hand for want in question.wants):
+            try:
+                _ = question.best
+            except NoTreeError:
+                with suppress(NoTreeError):
+                    plain = PlannedRecipe(self, recipe, ready=False)
+                    return plain if plain.best else question
+                raise
+        return question
 
     def _finished(self, question: PlannedRecipe) -> PlanResult:
         """Return the best tree with its measures and progress lines, which no other one needs."""
@@ -165,9 +179,12 @@ class Planner:
 
 
 class PlannedRecipe:
-    """One recipe being planned: its foods as they are understood, and the dishes that it may be made after."""
+    """One recipe being planned: its foods as they are understood, and the dishes that it may be made after.
 
-    def __init__(self, planner: Planner, recipe: Recipe) -> None:
+    ``ready``: a food is taken in the asked state where a person named it so.
+    """
+
+    def __init__(self, planner: Planner, recipe: Recipe, *, ready: bool = True) -> None:
         self.planner = planner
         self.settings = planner.settings
         self.known = planner.known
@@ -181,7 +198,7 @@ class PlannedRecipe:
         if not wants:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
         self.kitchen = planner.kitchen_for([want.label for want in wants])
-        self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in wants)
+        self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in wants) if ready else tuple(wants)
         taught = self.methods.outlines.taught(recipe.dish_type, self.known)
         whole = Asked(self.wants, recipe.dish_type, title, self.known)
         made = apart(self.wants, recipe, whole.dishes, taught, self.known, baked=whole.baked)
@@ -205,7 +222,7 @@ class PlannedRecipe:
         """The tree of the best frame that the judge accepts; raises :class:`NoTreeError` where there is none."""
         attempts: list[Attempt] = []
         troubles: list[str] = []
-        for fit in _made_after(self.fits, self.settings.after)[:MOST_TRIES]:
+        for fit in made_after(self.fits, self.settings.after)[:MOST_TRIES]:
             try:
                 attempt = self._attempt(fit)
             except RefusedError as error:
@@ -381,15 +398,3 @@ def _named_twice(asked: Sequence[RequiredIngredient]) -> set[str]:
 
 def _recorded(fit: Fit) -> str:
     return f"“{fit.frame.goal.label}” of the video {fit.frame.video}"
-
-
-def _made_after(found: Sequence[Fit], after: str) -> list[Fit]:
-    """Return those of a dish or a video called ``after`` (``""``: any); raises :class:`NoTreeError` where none is."""
-    chosen = [fit for fit in found if not after or after in {fit.frame.goal.label, fit.frame.video}]
-    if after and not chosen:
-        names = ", ".join(list(dict.fromkeys(fit.frame.goal.label for fit in found))[:5]) or "none"
-        hint = f"What suits these foods best: {names}."
-        raise NoTreeError(
-            f"these foods are not made after a dish or a video called “{after}”", code="no-goal", hint=hint
-        )
-    return chosen
