@@ -10,7 +10,7 @@ from typing import Any
 from foon_kg.food.rows import Food, Motion
 from foon_kg.food.shipped import shipped
 from foon_kg.food.techniques import Around, Foods
-from foon_kg.food.words import stands_in, words
+from foon_kg.food.words import any_stands_in, stands_in, words
 
 _FIELDS = ("when", "stage", "at")
 
@@ -38,7 +38,7 @@ class Named:
 
     def said(self, told: Sequence[str]) -> str:
         """Return the words of a title, ``told`` in their order, that ask for it; ``""`` where none do."""
-        if any(stands_in(name, told) for name in self.never):
+        if any_stands_in(self.never, told):
             return ""
         return next((" ".join(name) for name in self.called if stands_in(name, told)), "")
 

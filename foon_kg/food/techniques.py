@@ -18,7 +18,7 @@ from typing import Any
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Food
 from foon_kg.food.shipped import shipped
-from foon_kg.food.words import singular_word, stands_in, words
+from foon_kg.food.words import any_stands_in, singular_word, words
 
 _STEP = re.compile(
     r"(?P<optional>\??)(?P<stage>[^@<:]+?)(?: as (?P<label>[^@<:]+?))?(?: ?@ ?(?P<vessel>[^<:]+?))?"
@@ -218,13 +218,13 @@ class Technique:
         if dish_type not in self.or_types:
             if self.types and dish_type not in self.types:
                 return False
-            if self.called and not any(stands_in(name, told) for name in self.called):
+            if self.called and not any_stands_in(self.called, told):
                 return False
         return not self.is_never(told)
 
     def is_never(self, told: Sequence[str]) -> bool:
         """Return whether the words ``told`` of a title have a name in them by which no such dish is called."""
-        return any(stands_in(name, told) for name in self.never)
+        return any_stands_in(self.never, told)
 
 
 def techniques() -> tuple[Technique, ...]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from foon_kg.food.lists import says, word_list
 from foon_kg.model.names import without_accents
@@ -67,6 +67,14 @@ def stands_in(phrase: tuple[str, ...], told: Sequence[str]) -> bool:
     """Return whether the words of ``phrase`` stand in ``told`` side by side."""
     # few words are there at all, so the first is looked for before the rest
     return phrase[0] in told and any(tuple(told[at : at + len(phrase)]) == phrase for at in range(len(told)))
+
+
+def any_stands_in(phrases: Iterable[tuple[str, ...]], told: Sequence[str]) -> bool:
+    """Return whether the words of one of ``phrases`` stand in ``told`` side by side."""
+    for phrase in phrases:  # noqa: SIM110 - asked of hundreds of names a plan
+        if phrase[0] in told and stands_in(phrase, told):
+            return True
+    return False
 
 
 def is_among(name: str, names: Collection[str]) -> bool:

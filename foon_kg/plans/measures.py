@@ -76,10 +76,16 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
     for unit in units:
         fresh = dict.fromkeys(singular(node.label) for node in unit.input_nodes if node not in there)
         taken = tuple(amounts[food].pop(0) for food in fresh if amounts.get(food))
-        own = _first_of(unit, timed)
-        told.append(replace(unit, measures=replace(own, amounts=taken, asked=unit.measures.asked)))
+        told.append(_measured(unit, _first_of(unit, timed), taken))
         there.update(unit.output_nodes)
     return tuple(told)
+
+
+def _measured(unit: TreeUnit, recorded: Measures, amounts: tuple[str, ...]) -> TreeUnit:
+    """Return a step with what is recorded of it beside what somebody asked."""
+    if not (recorded or amounts):
+        return unit
+    return replace(unit, measures=replace(recorded, amounts=amounts, asked=unit.measures.asked))
 
 
 def _said_in(video: str, recorded: Iterable[KnownUnit]) -> list[tuple[FunctionalUnit, Measures]]:

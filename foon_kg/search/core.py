@@ -76,7 +76,7 @@ class Core:
     def penalty_of(self, steps: int) -> int:
         """Return the gap penalty of the set ``steps`` (one bit a step): the sum of the costs of its gaps."""
         gaps = steps & ((1 << len(self.gap_nodes)) - 1)
-        return sum(self.costs[gap] for gap in bits_of(gaps)) if gaps else 0
+        return sum([self.costs[gap] for gap in bits_of(gaps)]) if gaps else 0
 
     @cached_property
     def has_foods(self) -> bool:

@@ -101,10 +101,11 @@ def purposeful(case: Case) -> Iterator[Finding]:
     for place, unit in enumerate(case.tree.units):
         if not unit.new_outputs:
             yield Finding("C3", "all its outputs are among its inputs: it changes nothing", place)
-        if unit.identity in seen and not _was_undone(case, last[unit.identity], place):
-            yield Finding("C3", f"it is the same as step {seen[unit.identity] + 1}", place)
-        seen.setdefault(unit.identity, place)
-        last[unit.identity] = place
+        identity = unit.identity
+        if identity in seen and not _was_undone(case, last[identity], place):
+            yield Finding("C3", f"it is the same as step {seen[identity] + 1}", place)
+        seen.setdefault(identity, place)
+        last[identity] = place
         if place not in leads and not case.happenings[place].does(*_CLOSES):
             yield Finding("C3", "nothing that it makes leads to the goal", place)
     if case.tree.level is None:

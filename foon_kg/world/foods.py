@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from itertools import chain
 
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import Mention
@@ -142,7 +143,7 @@ def _is_taken_out(out: Outcome, lump: Lump) -> bool:
 
 def _vessel_called(out: Outcome, one: Said) -> Vessel | None:
     """Return the vessel that an output food's node names as its place: by its name, its last word, or what it holds."""
-    for vessel in (*out.vessel_of.values(), *out.happening.vessels, *out.holders(), *out.standing()):
+    for vessel in chain(out.vessel_of.values(), out.happening.vessels, out.holders(), out.standing()):
         if vessel.label == one.place:
             return vessel
     short = (one.place or "").rpartition(" ")[2]

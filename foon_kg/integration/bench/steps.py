@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench.inventory import Inventory
@@ -19,8 +19,7 @@ class RefusedError(Exception):
     """A step cannot happen, or nothing in the FOON attests it."""
 
 
-@dataclass(frozen=True)
-class Done:
+class Done(NamedTuple):
     """A step that happened, with its evidence and phase."""
 
     step: Step

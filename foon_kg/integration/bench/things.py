@@ -73,7 +73,7 @@ def is_flat(label: str) -> bool:
 
 def foods_of(vessel: Vessel) -> tuple[str, ...]:
     """Return the names of all foods in a vessel."""
-    return tuple(dict.fromkeys(food for stuff in vessel.contents for food in stuff.foods))
+    return tuple(dict.fromkeys([food for stuff in vessel.contents for food in stuff.foods]))
 
 
 def is_heated(states: Iterable[str], known: Tables) -> bool:

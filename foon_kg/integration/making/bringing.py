@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 from foon_kg.food import Tables, singular
 from foon_kg.food.lists import says, word_list
@@ -61,16 +62,14 @@ class Transport:
         return "storage" if self.source.storage else "vessel"
 
 
-@dataclass(frozen=True)
-class _Ways:
+class _Ways(NamedTuple):
     """Ways to bring a food; ``for_any``: whatever it is, so that they are taken by the likest food of all."""
 
     ways: Sequence[Way]
     for_any: bool = False
 
 
-@dataclass(frozen=True)
-class _Handling:
+class _Handling(NamedTuple):
     """What may be done with a thing as it is."""
 
     poured: bool

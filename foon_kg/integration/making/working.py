@@ -44,7 +44,7 @@ class Worker:
         whole.states = whole.states if states is None else states
         vessel.contents[:] = [whole]
         last = self.bench.done[-1]
-        self.bench.done[-1] = replace(last, step=self._told_as_one(last.step, vessel, parts))
+        self.bench.done[-1] = last._replace(step=self._told_as_one(last.step, vessel, parts))
 
     def _told_as_one(self, step: Step, vessel: Vessel, parts: Sequence[Stuff]) -> Step:
         """Return a step that tells ``parts``, some of which it brought, as the one thing that a vessel holds now."""
