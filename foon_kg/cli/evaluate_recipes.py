@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
@@ -14,16 +13,14 @@ from foon_kg.cli import evaluate_options as options
 from foon_kg.cli.console import Dask, Files, Json, Quiet, Say, examples, print_json, print_view, sayer
 from foon_kg.cli.dish_types import check_dish_types
 from foon_kg.model import DISH_TYPES, Recipe
-from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.evaluation.agreement import Agreement
-    from foon_kg.evaluation.comparison import Comparison
+    from foon_kg.evaluation.comparison import Earlier
     from foon_kg.evaluation.figures import RecipeEvaluation
     from foon_kg.evaluation.sheet import FilledSheet
     from foon_kg.foon import Foon
     from foon_kg.model.json_fields import JsonObject
-    from foon_kg.planning.recipes import IngredientWords
     from foon_kg.plans.result import PlanFailure, PlanResult
 
 EXAMPLES = examples(
@@ -81,72 +78,36 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
     seed give the same answer to the byte.
     """
     from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.evaluation.comparison import read_evaluation
-    from foon_kg.evaluation.sheet import read_sheet, write_sheet
     from foon_kg.foon import Foon
 
     say = sayer(quiet=quiet)
-    before = None if compare is None else read_evaluation(compare, "recipes")
-    sheet = None if scores is None else read_sheet(scores)
+    check_dish_types(dish or ())
+    before = None if compare is None else Foon.earlier_evaluation(compare, "recipes")
+    sheet = None if scores is None else Foon.filled_sheet(scores)
     foon = Foon(whole_foon(files, say))
-    asked = _asked(paths or [], dish or [], sample, seed=seed, foon=foon, say=say)
     planned = partial(_outcomes, foon, options.Run(output, jobs, dask, say, quiet, method))
-    evaluation = foon.evaluate_recipes(asked, seed=seed, planned=planned)
+    asked = _asked(paths or (), dish or (), sample, seed=seed, foon=foon, say=say)
+    found = _Found(foon.evaluate_recipes(asked, seed=seed, planned=planned), sheet, before)
     if scores_to is not None:
-        options.write_text(scores_to, write_sheet(evaluation.recipes), "--scores-to")
-    agreement = _agreement(evaluation, sheet, scores)
-    comparison = None if before is None else options.compared(before, evaluation.to_json(), str(compare), seed)
+        options.write_text(scores_to, Foon.score_sheet(found.evaluation), "--scores-to")
     if html is not None:
-        _write_report(html, evaluation, agreement, comparison)
-    left_open = 0 if sheet is None else sheet.left_open
-    _tell(evaluation, agreement, comparison, left_open, as_json=as_json)
+        options.write_text(html, found.report(), "--html")
+    print_json(found.to_json()) if as_json else found.show()
 
 
 def _asked(
     paths: Sequence[Path], dishes: Sequence[str], sample: int | None, *, seed: int, foon: Foon, say: Say
 ) -> list[Recipe]:
     """Return the recipes to be planned: those of ``paths``, else those that the graph holds."""
-    from foon_kg.evaluation.sampling import sampled
+    from foon_kg.foon import Foon
 
-    check_dish_types(dishes)
     if paths:
-        found = [one for one in _read(paths, foon, say) if not dishes or one.dish_type in dishes]
-        found = found if sample is None else sampled(found, sample, seed)
+        found = foon.recipes_to_evaluate(*paths, dish_types=dishes, sample=sample, seed=seed, noted=say)
     else:
-        found = _stored(dishes or DISH_TYPES, sample, seed, foon.words(), say)
+        with Foon.connect(say=say) as collection:
+            found = foon.loaded_to_evaluate(collection, dishes or DISH_TYPES, sample=sample, seed=seed)
     if not found:
         raise UsageError("there is no such recipe", hint="Name other files or dish types; foon recipes counts them.")
-    return found
-
-
-def _read(paths: Sequence[Path], foon: Foon, say: Say) -> list[Recipe]:
-    """Read recipe files; raises ReadError where one cannot be read, or two have one id."""
-    from foon_kg.planning.recipes import recipe_files
-
-    found = []
-    for read in foon.read_recipes(*recipe_files(paths)):
-        found.append(read.recipe)
-        for note in read.notes:
-            say(note)
-    counts = Counter((recipe.dish_type, recipe.id) for recipe in found)
-    twice = next((name for (_, name), count in counts.items() if count > 1), None)
-    if twice is not None:
-        raise ReadError(f"two recipes are called “{twice}”", hint="Name each file once; give each recipe its own id.")
-    return found
-
-
-def _stored(dishes: Sequence[str], sample: int | None, seed: int, words: IngredientWords, say: Say) -> list[Recipe]:
-    """Return recipes of the graph that surely are of these dish types."""
-    from foon_kg.evaluation.sampling import drawn
-    from foon_kg.foon import Foon
-    from foon_kg.planning.recipes import with_states
-
-    found = []
-    with Foon.connect(say=say) as foon:
-        for dish_type in sorted(set(dishes)):
-            ids = foon.recipe_ids(dish_type)
-            names = ids if sample is None else drawn(ids, sample, seed, dish_type)
-            found += [with_states(foon.recipe(name).asked(dish_type), words).recipe for name in names]
     return found
 
 
@@ -175,48 +136,36 @@ def _outcomes(foon: Foon, run: options.Run, asked: Sequence[Recipe]) -> list[Pla
     ]
 
 
-def _agreement(evaluation: RecipeEvaluation, sheet: FilledSheet | None, path: Path | None) -> Agreement | None:
-    """Return how well people and the rule agree; ``None`` where there is no ``sheet`` (read from ``path``)."""
-    if sheet is None or path is None:
-        return None
-    from foon_kg.evaluation.agreement import agreement
-    from foon_kg.evaluation.sheet import scored_by_both
+class _Found:
+    """What an evaluation found, with what it was compared with: the scores on a sheet, and an evaluation of before."""
 
-    return agreement(*scored_by_both(evaluation.recipes, sheet, path))
+    def __init__(self, evaluation: RecipeEvaluation, sheet: FilledSheet | None, before: Earlier | None) -> None:
+        self.evaluation = evaluation
+        self._left_open = 0 if sheet is None else sheet.left_open
+        self._agreement = None if sheet is None else sheet.agreement_with(evaluation.recipes)
+        self._comparison = None if before is None else before.compared_with(evaluation.to_json(), evaluation.seed)
 
+    def to_json(self) -> JsonObject:
+        """Return all of it as JSON."""
+        value = self.evaluation.to_json()
+        if self._agreement is not None:
+            value["agreement"] = self._agreement.to_json()
+        if self._comparison is not None:
+            value["comparison"] = self._comparison.to_json()
+        return value
 
-def _json(value: JsonObject, agreement: Agreement | None, comparison: Comparison | None) -> JsonObject:
-    if agreement is not None:
-        value["agreement"] = agreement.to_json()
-    if comparison is not None:
-        value["comparison"] = comparison.to_json()
-    return value
+    def show(self) -> None:
+        """Print all of it for reading."""
+        from foon_kg.formats.views.evaluation import agreement_view, comparison_view, recipe_evaluation_view
 
+        print_view(recipe_evaluation_view(self.evaluation))
+        if self._agreement is not None:
+            print_view(agreement_view(self._agreement, self._left_open))
+        if self._comparison is not None:
+            print_view(comparison_view(self._comparison))
 
-def _tell(
-    evaluation: RecipeEvaluation,
-    agreement: Agreement | None,
-    comparison: Comparison | None,
-    left_open: int,
-    *,
-    as_json: bool,
-) -> None:
-    """Print an evaluation with what it was compared with; people left so many scores open (``left_open``)."""
-    if as_json:
-        print_json(_json(evaluation.to_json(), agreement, comparison))
-        return
-    from foon_kg.formats.views.evaluation import agreement_view, comparison_view, recipe_evaluation_view
+    def report(self) -> str:
+        """Return all of it as a page."""
+        from foon_kg.formats.pictures.recipes_report import recipes_report
 
-    print_view(recipe_evaluation_view(evaluation))
-    if agreement is not None:
-        print_view(agreement_view(agreement, left_open))
-    if comparison is not None:
-        print_view(comparison_view(comparison))
-
-
-def _write_report(
-    path: Path, evaluation: RecipeEvaluation, agreement: Agreement | None, comparison: Comparison | None
-) -> None:
-    from foon_kg.formats.pictures.recipes_report import recipes_report
-
-    options.write_text(path, recipes_report(evaluation, agreement, comparison), "--html")
+        return recipes_report(self.evaluation, self._agreement, self._comparison)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from foon_kg.evaluation.comparison import Comparison
     from foon_kg.evaluation.left_out_video import LeftOutVideo
     from foon_kg.evaluation.video_figures import LeaveOneOut, VideoFigures
-    from foon_kg.foon import Snapshot
+    from foon_kg.foon import Foon
 
 EXAMPLES = examples(
     "foon evaluate leave-one-out --files subgraphs/",
@@ -64,18 +64,18 @@ def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
     they were planned and however often a run with --output was stopped.
     """
     from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.evaluation.comparison import read_evaluation
+    from foon_kg.foon import Foon
 
     check_dish_types(dish or [])
     say = sayer(quiet=quiet)
-    before = None if compare is None else read_evaluation(compare, "leave-one-out")
-    snapshot = whole_foon(files, say)
-    run = options.Run(output, jobs, dask, say, quiet)
-    evaluation = _evaluated(snapshot, dish or [], sample, seed, run)
+    before = None if compare is None else Foon.earlier_evaluation(compare, "leave-one-out")
+    foon = Foon(whole_foon(files, say))
+    compared = partial(_figures, foon, options.Run(output, jobs, dask, say, quiet))
+    evaluation = foon.leave_one_out(dish or (), sample=sample, seed=seed, compared=compared)
     value = evaluation.to_json()
-    comparison = None if before is None else options.compared(before, value, str(compare), seed)
+    comparison = None if before is None else before.compared_with(value, seed)
     if html is not None:
-        _write_report(html, evaluation, comparison, snapshot)
+        _write_report(html, evaluation, comparison, foon)
     if as_json:
         print_json(value if comparison is None else {**value, "comparison": comparison.to_json()})
     else:
@@ -91,35 +91,22 @@ def _show(evaluation: LeaveOneOut, comparison: Comparison | None) -> None:
         print_view(comparison_view(comparison))
 
 
-def _evaluated(
-    snapshot: Snapshot, dishes: Sequence[str], sample: int | None, seed: int, run: options.Run
-) -> LeaveOneOut:
-    from foon_kg.foon import Foon
-
-    foon = Foon(snapshot)
-    compared = partial(_figures, snapshot, foon.content_key(), run)
-    return foon.leave_one_out(dishes, sample=sample, seed=seed, compared=compared)
-
-
-def _figures(
-    snapshot: Snapshot, foon: str, run: options.Run, asked: Sequence[LeftOutVideo], methods: Sequence[str]
-) -> list[VideoFigures]:
+def _figures(foon: Foon, run: options.Run, asked: Sequence[LeftOutVideo], methods: Sequence[str]) -> list[VideoFigures]:
     """Return the figures of all videos; those that the file of answers has already are not asked for again."""
-    from foon_kg.evaluation.leave_one_out import asking_without
     from foon_kg.evaluation.video_line import from_line, to_line
 
+    key = foon.content_key()
     done = _answered_before(asked, run)
     found = [
-        from_line(line, f"{run.output}:{number}", video.recipe, methods, foon)
+        from_line(line, f"{run.output}:{number}", video.recipe, methods, key)
         for number, (line, video) in enumerate(zip(done.lines if done else (), asked, strict=False), 1)
     ]
-    make = partial(asking_without, snapshot.subgraphs, snapshot.kitchen, methods)
     keep = nullcontext(None) if done is None else done.going_on()
-    with run.spread(make, asked[len(found) :]) as answers, keep as add:
+    with foon.leaving_out(asked[len(found) :], methods, jobs=run.jobs, dask=run.dask) as answers, keep as add:
         for figures in progress_bar(answers, "Leaving out videos", len(asked), len(found), quiet=run.quiet):
             found.append(figures)
             if add is not None:
-                add(json_line(to_line(figures, foon)))
+                add(json_line(to_line(figures, key)))
     return found
 
 
@@ -136,10 +123,9 @@ def _answered_before(asked: Sequence[LeftOutVideo], run: options.Run) -> AnswerF
     return done
 
 
-def _write_report(path: Path, evaluation: LeaveOneOut, comparison: Comparison | None, snapshot: Snapshot) -> None:
-    from foon_kg.evaluation.leave_one_out import planned_without
+def _write_report(path: Path, evaluation: LeaveOneOut, comparison: Comparison | None, foon: Foon) -> None:
     from foon_kg.formats.pictures.leave_one_out_report import leave_one_out_report
 
-    subgraphs, kitchen = snapshot.subgraphs, snapshot.kitchen
-    planned = partial(planned_without, subgraphs, kitchen)
-    options.write_text(path, leave_one_out_report(evaluation, comparison, subgraphs, kitchen, planned), "--html")
+    whole = foon.snapshot()
+    report = leave_one_out_report(evaluation, comparison, whole.subgraphs, whole.kitchen, foon.plan_of_left_out)
+    options.write_text(path, report, "--html")

@@ -88,6 +88,21 @@ class Comparison:
         }
 
 
+@dataclass(frozen=True)
+class Earlier:
+    """An evaluation of before, in JSON, and the file that it was read from."""
+
+    value: JsonObject
+    path: Path
+
+    def compared_with(self, now: JsonObject, seed: int) -> Comparison:
+        """Return what changed from this evaluation to that of ``now`` (JSON); ``seed`` is that of the resampling.
+
+        Raises ReadError where this one is not whole.
+        """
+        return compare(shares_of(self.value, str(self.path)), shares_of(now, "this evaluation"), seed)
+
+
 def compare(before: Mapping[CaseKey, float], after: Mapping[CaseKey, float], seed: int) -> Comparison:
     """Return what changed from ``before`` to ``after``, each with the share (0 to 1) of every question.
 
@@ -115,7 +130,7 @@ def shares_of(value: JsonObject, where: str) -> dict[CaseKey, float]:
     return shares
 
 
-def read_evaluation(path: Path, kind: str) -> JsonObject:
+def earlier_evaluation(path: Path, kind: str) -> Earlier:
     """Return what an evaluation of ``kind`` printed to the file ``path`` with ``--json``.
 
     Raises ReadError or UsageError with the file.
@@ -133,7 +148,7 @@ def read_evaluation(path: Path, kind: str) -> JsonObject:
         raise UsageError(
             f"{path} is an evaluation of {found}, not of {kind}", hint=f"Compare it in foon evaluate {found}."
         )
-    return dict(value)
+    return Earlier(dict(value), path)
 
 
 def _names(keys: Sequence[CaseKey] | set[CaseKey]) -> tuple[str, ...]:

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from foon_kg.evaluation.agreement import Agreement, agreement
 from foon_kg.evaluation.figures import RecipeFigures
 from foon_kg.model.cells import as_cell, from_cell
 from foon_kg.model.errors import ReadError
@@ -28,10 +29,18 @@ LineKey = tuple[str, ...]
 
 @dataclass(frozen=True)
 class FilledSheet:
-    """The scores that people gave, and how many lines they left open."""
+    """The scores that people gave, how many lines they left open, and the file that they filled."""
 
     scores: Mapping[LineKey, int]
     left_open: int
+    path: Path
+
+    def agreement_with(self, recipes: Sequence[RecipeFigures]) -> Agreement:
+        """Return how well these people and the rule that scored ``recipes`` agree.
+
+        Raises :class:`~foon_kg.model.errors.ReadError` for a line that ``recipes`` do not have.
+        """
+        return agreement(*scored_by_both(recipes, self))
 
 
 def write_sheet(recipes: Iterable[RecipeFigures]) -> str:
@@ -68,14 +77,13 @@ def read_sheet(path: Path) -> FilledSheet:
         scores[key] = _SCORES[score]
     if not scores:
         raise ReadError(f"{path}: nothing is scored", hint="Fill the column “score” with 0, 1 or 2.")
-    return FilledSheet(scores, left_open)
+    return FilledSheet(scores, left_open, path)
 
 
-def scored_by_both(recipes: Sequence[RecipeFigures], sheet: FilledSheet, path: Path) -> tuple[list[int], list[int]]:
+def scored_by_both(recipes: Sequence[RecipeFigures], sheet: FilledSheet) -> tuple[list[int], list[int]]:
     """Return the rule's and the people's scores of the lines on ``sheet``, in the order of ``recipes``.
 
-    Raises :class:`~foon_kg.model.errors.ReadError` where the sheet scores a line that this evaluation does not have; it
-    names the file at ``path``.
+    Raises :class:`~foon_kg.model.errors.ReadError` where the sheet scores a line that this evaluation does not have.
     """
     ours = {
         line_key(recipe, scored.ingredient.object, scored.ingredient.state): scored.score
@@ -85,7 +93,7 @@ def scored_by_both(recipes: Sequence[RecipeFigures], sheet: FilledSheet, path: P
     for key in sheet.scores:
         if key not in ours:
             raise ReadError(
-                f"{path}: {_named(key)} is not in this evaluation",
+                f"{sheet.path}: {_named(key)} is not in this evaluation",
                 hint="Evaluate the recipes for which the sheet was written.",
             )
     both = [key for key in ours if key in sheet.scores]

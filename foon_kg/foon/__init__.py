@@ -35,7 +35,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.planning.explanation import Joining as Joining
     from foon_kg.planning.explanation import PassedOver as PassedOver
     from foon_kg.planning.kitchen_file import ReadKitchen as ReadKitchen
-    from foon_kg.planning.recipes import IngredientWords, ReadRecipe
+    from foon_kg.planning.recipes import IngredientWords
     from foon_kg.planning.settings import PlanSettings as PlanSettings
     from foon_kg.planning.settings import Substitute as Substitute
     from foon_kg.planning.suggestion import Suggestion, Suggestions
@@ -261,34 +261,6 @@ class Foon(Evaluating):
         beside = [reader.read(Entry(f"“{text}”", text)) for text in texts]
         notes = (note for _, said in beside for note in said)
         return ReadKitchen(read.kitchen.with_things([thing for thing, _ in beside]), (*read.notes, *notes))
-
-    def read_recipes(self, *files: Paths) -> Iterator[ReadRecipe]:
-        """Yield the recipe in each of ``files`` (JSON) as :meth:`answer` reads it, in the words of this FOON.
-
-        The ``notes`` of each say what had to be decided to read it. Raises :class:`~foon_kg.model.errors.ReadError`
-        where one is no recipe.
-
-        >>> from foon_kg.foon.demo import demo_recipes
-        >>> [one.recipe.dish_type for one in foon.read_recipes(*demo_recipes()[:2])]
-        ['drinks', 'salad']
-        """
-        from foon_kg.planning.recipes import read_recipe
-
-        words = self.words()  # once: they are sorted out of the whole vocabulary
-        for file in files:
-            yield read_recipe(Path(file), words)
-
-    def words(self) -> IngredientWords:
-        """Return the words in which ingredients and kitchens are read.
-
-        >>> foon.words().vocabulary.dish_types[:2]
-        ('drinks', 'omelette')
-        """
-        from foon_kg.planning.recipes import IngredientWords
-        from foon_kg.plans.kitchen import Kitchen
-
-        with self.reading() as view:
-            return IngredientWords(view.vocabulary(), Kitchen.default())
 
     def _words_for(self, texts: Sequence[str]) -> IngredientWords:
         """Return the words in which ``texts`` are read: of a very large FOON no others."""

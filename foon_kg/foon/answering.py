@@ -6,12 +6,15 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import cached_property, partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from foon_kg.foon.drafting import Drafting
+from foon_kg.foon.opened import Paths
 
 if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.planning.batch import Answer, Cook, Question
+    from foon_kg.planning.recipes import IngredientWords, ReadRecipe
     from foon_kg.planning.settings import PlanSettings
     from foon_kg.store.settings import ConnectionSettings
     from foon_kg.validation import KnownFoon
@@ -58,6 +61,34 @@ class Answering(Drafting):
 
         with self._cook(settings) as cook:
             return KnownFoon.of(cook.units or (), cook.view.goals())
+
+    def read_recipes(self, *files: Paths) -> Iterator[ReadRecipe]:
+        """Yield the recipe in each of ``files`` (JSON) as :meth:`answer` reads it, in the words of this FOON.
+
+        The ``notes`` of each say what had to be decided to read it. Raises :class:`~foon_kg.model.errors.ReadError`
+        where one is no recipe.
+
+        >>> from foon_kg.foon.demo import demo_recipes
+        >>> [one.recipe.dish_type for one in foon.read_recipes(*demo_recipes()[:2])]
+        ['drinks', 'salad']
+        """
+        from foon_kg.planning.recipes import read_recipe
+
+        words = self.words()  # once: they are sorted out of the whole vocabulary
+        for file in files:
+            yield read_recipe(Path(file), words)
+
+    def words(self) -> IngredientWords:
+        """Return the words in which ingredients and kitchens are read.
+
+        >>> foon.words().vocabulary.dish_types[:2]
+        ('drinks', 'omelette')
+        """
+        from foon_kg.planning.recipes import IngredientWords
+        from foon_kg.plans.kitchen import Kitchen
+
+        with self.reading() as view:
+            return IngredientWords(view.vocabulary(), Kitchen.default())
 
     def answer(self, question: Question, settings: PlanSettings, *, explain: bool = False) -> Answer:
         """Return the answer to a ``question`` asked with such ``settings``; its ``error`` is what stands in the way.

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from foon_kg.foon.answering import Answering
-from foon_kg.model.errors import UsageError
+from foon_kg.foon.opened import Paths, Say, silent
+from foon_kg.model.errors import ReadError, UsageError
 
 if TYPE_CHECKING:  # every question imports what it needs
+    from foon_kg.evaluation.comparison import Earlier
     from foon_kg.evaluation.figures import RecipeEvaluation
     from foon_kg.evaluation.left_out_video import LeftOutVideo
     from foon_kg.evaluation.sampling import LeftOut
+    from foon_kg.evaluation.sheet import FilledSheet
     from foon_kg.evaluation.trees import TreeFigures, TreesEvaluation
     from foon_kg.evaluation.video_figures import LeaveOneOut, VideoFigures
+    from foon_kg.foon.collected import Collected
     from foon_kg.model import Recipe
     from foon_kg.model.tree import TaskTree
     from foon_kg.plans.result import PlanFailure, PlanResult
@@ -34,6 +42,100 @@ class Evaluating(Answering):
         True
         """
         return _key(self.snapshot())
+
+    def recipes_to_evaluate(
+        self,
+        *paths: Paths,
+        dish_types: Collection[str] = (),
+        sample: int | None = None,
+        seed: int = 0,
+        noted: Say = silent,
+    ) -> list[Recipe]:
+        """Return the recipes of files and folders (``paths``) that are of ``dish_types`` (none: all), as they are read.
+
+        ``sample`` of each type, drawn by ``seed``, where that is a number; ``noted`` hears what had to be decided to
+        read them. Raises :class:`~foon_kg.model.errors.ReadError` for what is no recipe, and where two of one type
+        have one id.
+
+        >>> from foon_kg.foon.demo import demo_recipes
+        >>> [one.id for one in foon.recipes_to_evaluate(*demo_recipes(), dish_types=["salad"], sample=1)]
+        ['courgette_salad']
+        """
+        from foon_kg.evaluation.sampling import sampled
+        from foon_kg.planning.recipes import recipe_files
+
+        found = []
+        for read in self.read_recipes(*recipe_files(map(Path, paths))):
+            found.append(read.recipe)
+            for note in read.notes:
+                noted(note)
+        _check_distinct(found)
+        asked = [one for one in found if not dish_types or one.dish_type in dish_types]
+        return asked if sample is None else sampled(asked, sample, seed)
+
+    def loaded_to_evaluate(
+        self, collection: Collected, dish_types: Collection[str], *, sample: int | None = None, seed: int = 0
+    ) -> list[Recipe]:
+        """Return the recipes in the Neo4j of ``collection`` that surely are of ``dish_types``, in words of this FOON.
+
+        ``sample`` of each type, drawn by ``seed``, where that is a number. Raises ``UsageError`` for a ``collection``
+        in files.
+
+        >>> foon.loaded_to_evaluate(foon, ["salad"])
+        Traceback (most recent call last):
+        foon_kg.model.errors.UsageError: a FOON in files has no Neo4j for recipes
+        """
+        from foon_kg.evaluation.sampling import drawn
+        from foon_kg.planning.recipes import with_states
+
+        words = self.words()
+        found: list[Recipe] = []
+        for dish_type in sorted(set(dish_types)):
+            ids = collection.recipe_ids(dish_type)
+            names = ids if sample is None else drawn(ids, sample, seed, dish_type)
+            found += [with_states(collection.recipe(name).asked(dish_type), words).recipe for name in names]
+        return found
+
+    @staticmethod
+    def earlier_evaluation(path: Paths, kind: Literal["recipes", "leave-one-out"]) -> Earlier:
+        """Return an evaluation of this ``kind`` that was printed as JSON into the file at ``path``, to compare with.
+
+        Raises :class:`~foon_kg.model.errors.ReadError` for what is none, and
+        :class:`~foon_kg.model.errors.UsageError` for one of another kind.
+
+        >>> Foon.earlier_evaluation("not there", "recipes")
+        Traceback (most recent call last):
+        foon_kg.model.errors.ReadError: not there: No such file or directory
+        """
+        from foon_kg.evaluation.comparison import earlier_evaluation
+
+        return earlier_evaluation(Path(path), kind)
+
+    @staticmethod
+    def score_sheet(evaluation: RecipeEvaluation) -> str:
+        """Return a sheet (CSV) on which people can score each line of an ``evaluation``, its scores left open.
+
+        >>> asked = foon.plan("salad", ["chopped onion", "olive oil"]).result.recipe
+        >>> Foon.score_sheet(foon.evaluate_recipes([asked])).splitlines()[0]
+        'recipe,dish_type,ingredient,state,progress_line,score'
+        """
+        from foon_kg.evaluation.sheet import write_sheet
+
+        return write_sheet(evaluation.recipes)
+
+    @staticmethod
+    def filled_sheet(path: Paths) -> FilledSheet:
+        """Return the scores that people wrote on the sheet at ``path``: it says how well they agree with the rule.
+
+        Raises :class:`~foon_kg.model.errors.ReadError` with the line that is none of such a sheet.
+
+        >>> Foon.filled_sheet("not there")
+        Traceback (most recent call last):
+        foon_kg.model.errors.ReadError: not there: No such file or directory
+        """
+        from foon_kg.evaluation.sheet import read_sheet
+
+        return read_sheet(Path(path))
 
     def evaluate_recipes(
         self,
@@ -135,6 +237,64 @@ class Evaluating(Answering):
         figures = _compared(asked, methods, whole) if compared is None else compared(asked, methods)
         nothing = tuple(name for name, video in found if video is None)
         return LeaveOneOut(_key(whole), seed, tuple(figures), methods, out, nothing)
+
+    @contextmanager
+    def leaving_out(
+        self,
+        videos: Sequence[LeftOutVideo],
+        methods: Sequence[str],
+        *,
+        jobs: int | None = None,
+        dask: str | None = None,
+    ) -> Iterator[Iterator[VideoFigures]]:
+        """Open what asks ``methods`` for each of ``videos`` of the FOON without it, and yields the figures in order.
+
+        That is done in ``jobs`` processes (as a rule all cores), on the cluster of the Dask scheduler at ``dask``, or
+        for few videos in this process; none of it changes a figure.
+
+        >>> with foon.leaving_out([], ["foon-kg"]) as figures:
+        ...     list(figures)
+        []
+        """
+        from foon_kg.evaluation.leave_one_out import asking_without
+        from foon_kg.planning.batch import MANY, cores
+        from foon_kg.planning.cluster import spread_over
+        from foon_kg.planning.processes import spread
+
+        whole = self.snapshot()
+        make = partial(asking_without, whole.subgraphs, whole.kitchen, methods)
+        processes = cores() if jobs is None else jobs
+        opened: AbstractContextManager[Iterator[VideoFigures]]
+        if dask is not None:
+            opened = spread_over(make, videos, dask)
+        elif processes > 1 and len(videos) >= MANY:
+            opened = spread(make, videos, processes)
+        else:
+            opened = nullcontext(map(make(), videos) if videos else iter(()))
+        with opened as figures:
+            yield figures
+
+    def plan_of_left_out(self, video: VideoFigures) -> PlanResult:
+        """Return the tree that foon-kg makes for a ``video`` of all the others.
+
+        Raises :class:`~foon_kg.model.errors.NoTreeError` where there is none.
+
+        >>> left = foon.leave_one_out(["salad"], sample=1)
+        >>> len(foon.plan_of_left_out(left.videos[0]).units) > 1
+        True
+        """
+        from foon_kg.evaluation.leave_one_out import planned_without
+
+        whole = self.snapshot()
+        return planned_without(whole.subgraphs, whole.kitchen, video)
+
+
+def _check_distinct(recipes: Iterable[Recipe]) -> None:
+    """Raise ReadError where two recipes of one dish type have one id."""
+    counts = Counter((recipe.dish_type, recipe.id) for recipe in recipes)
+    twice = next((name for (_, name), count in counts.items() if count > 1), None)
+    if twice is not None:
+        raise ReadError(f"two recipes are called “{twice}”", hint="Name each file once; give each recipe its own id.")
 
 
 def _compared(asked: Sequence[LeftOutVideo], methods: Sequence[str], whole: Snapshot) -> Iterable[VideoFigures]:

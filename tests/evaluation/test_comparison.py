@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from foon_kg.evaluation.comparison import compare, read_evaluation, shares_of
+from foon_kg.evaluation.comparison import compare, earlier_evaluation, shares_of
 from foon_kg.model.errors import ReadError, UsageError
 
 
@@ -48,7 +48,7 @@ def test_what_is_printed_is_read_back(tmp_path):
     value = {"evaluation": "recipes", "recipes": [{"id": "one", "dish_type": "salad", "correct": 0.75}]}
     path = tmp_path / "old.json"
     path.write_text(json.dumps(value))
-    assert shares_of(read_evaluation(path, "recipes"), str(path)) == {("one", "salad"): 0.75}
+    assert shares_of(earlier_evaluation(path, "recipes").value, str(path)) == {("one", "salad"): 0.75}
 
 
 @pytest.mark.parametrize(
@@ -59,11 +59,11 @@ def test_what_is_no_evaluation_is_refused_by_file(tmp_path, text, said):
     path = tmp_path / "old.json"
     path.write_bytes(text.encode("latin-1"))
     with pytest.raises(ReadError, match=said):
-        read_evaluation(path, "recipes")
+        earlier_evaluation(path, "recipes")
 
 
 def test_one_kind_is_not_compared_with_the_other(tmp_path):
     path = tmp_path / "old.json"
     path.write_text('{"evaluation": "leave-one-out"}')
     with pytest.raises(UsageError, match="not of recipes"):
-        read_evaluation(path, "recipes")
+        earlier_evaluation(path, "recipes")

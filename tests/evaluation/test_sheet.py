@@ -54,14 +54,14 @@ def test_a_sheet_has_a_line_for_each_line_of_a_tree_and_no_score():
 
 def test_what_people_filled_is_set_beside_the_rule(tmp_path):
     path = filled(tmp_path, "1", " 0 ")
-    assert scored_by_both(RECIPES, read_sheet(path), path) == ([2, 0], [1, 0])
+    assert scored_by_both(RECIPES, read_sheet(path)) == ([2, 0], [1, 0])
 
 
 def test_what_is_left_open_is_counted(tmp_path):
     path = filled(tmp_path, "", "2")
     sheet = read_sheet(path)
     assert sheet.left_open == 1
-    assert scored_by_both(RECIPES, sheet, path) == ([0], [2])
+    assert scored_by_both(RECIPES, sheet) == ([0], [2])
 
 
 @pytest.mark.parametrize(
@@ -96,4 +96,4 @@ def test_a_sheet_that_is_not_there_is_told(tmp_path):
 def test_a_line_of_another_evaluation_is_refused(tmp_path):
     path = written(tmp_path, HEAD + "three,salad,onion,chopped,,2\n")
     with pytest.raises(ReadError, match="three: onion, chopped is not in this evaluation"):
-        scored_by_both(RECIPES, read_sheet(path), path)
+        scored_by_both(RECIPES, read_sheet(path))

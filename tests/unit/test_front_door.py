@@ -22,10 +22,9 @@ VALUES = {
 """What a question is made of and an answer is told with: values, tables, files, forms of telling."""
 
 ALLOWED = {
-    "planning.batch": {"cores", "MANY"},
+    "planning.batch": {"cores"},
     "planning.recipes": None,  # files and lines of recipes as questions
     "planning.processes": None,  # how processes begin and end: nothing of a FOON
-    "planning.cluster": {"spread_over"},
     "store.vocabulary": {"states_made"},
     "store.graph.free_cypher": {"Answer"},  # what Foon.cypher returns
     "validation": None,  # the judge: it knows nothing of planning, and is asked of trees of anybody
@@ -33,7 +32,7 @@ ALLOWED = {
 """Names of other rooms that anybody at the door may use; ``None``: all."""
 
 ROOMS_OF_THEIR_OWN = {
-    "cli.evaluate": "evaluation",  # measures what the door answers
+    "cli.evaluate_videos": "evaluation.video_line",  # a line of the file of answers
     "web.examples": "evaluation.left_out_video",
     "cli.draft": (  # Foon.drafts makes them: here are their files, what people decide of them, and recipes as texts
         "language.drafting.tables",
