@@ -58,18 +58,36 @@ def recipes(
     A run that was stopped, started again with the same command, drafts only what is still missing. Sentences are read
     by spaCy's parser (pip install 'foon-kg[text]').
     """
-    from foon_kg.cli import data_frames
-    from foon_kg.cli.knowledge import front_door
+    _check_name(output)
+    say = sayer(quiet=quiet)
+    tally = _drafted(paths, output, files, say, jobs=jobs, quiet=quiet)
+    tally.tell(say)
+    if as_json:
+        print_json(tally.to_json(output))
+    else:
+        typer.echo(f"{output}: {tally.recipes} recipes, {tally.drafts} of them drafted with {tally.units} units")
+
+
+def _check_name(output: Path) -> None:
+    """Raise UsageError where drafts cannot go into such a file, ModuleNotFoundError where what it needs is missing."""
     from foon_kg.loaders.lessons import ENDINGS, is_drafts_file
-    from foon_kg.loaders.recipe_collections import RecipeCollections
 
     if not is_drafts_file(output):
         raise UsageError(
             f"{output}: drafts of recipes go into one file", hint=f"Its name ends in {', '.join(ENDINGS)}."
         )
     form_of(output)  # what it needs is missing now, and not when all is drafted
+
+
+def _drafted(
+    paths: Sequence[Path], output: Path, files: Sequence[Path] | None, say: Say, *, jobs: int | None, quiet: bool
+) -> _Tally:
+    """Draft the recipes at ``paths`` that are not in ``output`` yet into it; return what was drafted of all of them."""
+    from foon_kg.cli import data_frames
+    from foon_kg.cli.knowledge import front_door
+    from foon_kg.loaders.recipe_collections import RecipeCollections
+
     data_frames.allow()
-    say = sayer(quiet=quiet)
     with RecipeCollections(paths, lambda notice: say(str(notice))) as collections:
         total = collections.check()
         if not total:
@@ -77,21 +95,18 @@ def recipes(
         size, tally = _done(output, collections, total)
         if tally.recipes:
             say(f"{output} has {tally.recipes} of {total} drafts already")
-        if tally.recipes < total:
-            left = islice(collections, tally.recipes, None)
-            with (
-                front_door(files, say) as foon,
-                foon.drafts_of_recipes(left, jobs=jobs) as drafted,
-                adding(output, size) as add,
-            ):
-                for one in progress_bar(drafted, "Drafting recipes", total, tally.recipes, quiet=quiet):
-                    add(json_line(one.to_json()))
-                    tally.add(one)
-    tally.tell(say)
-    if as_json:
-        print_json(tally.to_json(output))
-    else:
-        typer.echo(f"{output}: {tally.recipes} recipes, {tally.drafts} of them drafted with {tally.units} units")
+        if tally.recipes == total:
+            return tally
+        left = islice(collections, tally.recipes, None)
+        with (
+            front_door(files, say) as foon,
+            foon.drafts_of_recipes(left, jobs=jobs) as drafted,
+            adding(output, size) as add,
+        ):
+            for one in progress_bar(drafted, "Drafting recipes", total, tally.recipes, quiet=quiet):
+                add(json_line(one.to_json()))
+                tally.add(one)
+    return tally
 
 
 @dataclass

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -17,8 +17,8 @@ from foon_kg.model import Recipe
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.cli.answering import Show
-    from foon_kg.foon import Question, Substitute
+    from foon_kg.cli.answering import Show, Writing
+    from foon_kg.foon import PlanSettings, Question, Substitute
 
 EXAMPLES = examples(
     'foon plan --dish salad "chopped onion" "whole prune" "olive oil"',
@@ -157,20 +157,17 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     --explain is for reading and has no JSON. --enumerate is Algorithm 3 as the paper has it, beside the exact search.
     --method paper makes trees that nobody can cook from: it is there to compare foon-kg with.
     """
-    from foon_kg.cli.answering import Writing, answer_all
-    from foon_kg.cli.candidates import show_candidates
-    from foon_kg.cli.kitchen import kitchen_of
-    from foon_kg.cli.knowledge import front_door
+    from foon_kg.cli.answering import Writing
     from foon_kg.cli.plan_collection import CollectionRun, plan_collection
     from foon_kg.foon import PlanSettings
 
-    _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
-    _one_form({"--enumerate": enumerate_all, "--foon": foon, "--explain": explain, "--output": output is not None})
-    say = sayer(quiet=quiet)
+    forms = {"--json": as_json or output is not None, "--foon": foon, "--explain": explain}
+    _one_form(forms)
+    _one_form({"--enumerate": enumerate_all} | forms | {"--json": False, "--output": output is not None})
     if method == "paper":
-        own = {"--explain": explain, "--enumerate": enumerate_all, "--kitchen": kitchen is not None}
-        own |= {"--with-drafts": with_drafts}
-        _ours_only(own | {"--substitute": bool(substitute), "--avoid": bool(avoid), "--after": bool(after)})
+        own = {"--explain": explain, "--enumerate": enumerate_all, "--kitchen": kitchen, "--with-drafts": with_drafts}
+        _ours_only(own | {"--substitute": substitute, "--avoid": avoid, "--after": after})
+    say = sayer(quiet=quiet)
     settings = PlanSettings(
         substitutes=tuple(map(_substitute, substitute or ())),
         avoided=tuple(avoid or ()),
@@ -184,16 +181,42 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
         _alone(wanted, recipe, dish, title)
         _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, dask, say, quiet)))
         return
-    questions = _called(_questions(wanted or [], dish, recipe or [], say), title)
+    questions = _called(_questions(wanted, dish, recipe, say), title)
     _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
-    with front_door(files, say) as door:
-        settings = replace(settings, kitchen=kitchen_of(kitchen, door, say))
-        if enumerate_all:
-            show_candidates(questions[0], door, settings, limit, as_json=as_json, say=say)
-            return
-        writing = Writing(_shown_as(foon=foon, as_json=as_json), output, say, quiet)
-        code = answer_all(questions, door, settings, jobs, writing, dask=dask)
-    _finish(code)
+    writing = Writing(_shown_as(foon=foon, as_json=as_json), output, say, quiet)
+    run = _Run(files, kitchen, jobs, dask, limit if enumerate_all else None)
+    _finish(_answered(questions, settings, run, writing, as_json=as_json))
+
+
+@dataclass(frozen=True)
+class _Run:
+    """Of which FOON and in which kitchen is planned, in how many processes, on which cluster.
+
+    ``limit`` is how many combinations of producers are looked at, where that is asked and no plan.
+    """
+
+    files: Sequence[Path] | None
+    kitchen: Path | None
+    jobs: int | None
+    dask: str | None
+    limit: int | None
+
+
+def _answered(
+    questions: Sequence[Question], settings: PlanSettings, run: _Run, writing: Writing, *, as_json: bool
+) -> int:
+    """Answer ``questions`` and write the answers; return the exit code."""
+    from foon_kg.cli.answering import answer_all
+    from foon_kg.cli.candidates import show_candidates
+    from foon_kg.cli.kitchen import kitchen_of
+    from foon_kg.cli.knowledge import front_door
+
+    with front_door(run.files, writing.say) as door:
+        settings = replace(settings, kitchen=kitchen_of(run.kitchen, door, writing.say))
+        if run.limit is None:
+            return answer_all(questions, door, settings, run.jobs, writing, dask=run.dask)
+        show_candidates(questions[0], door, settings, run.limit, as_json=as_json, say=writing.say)
+        return 0
 
 
 def _finish(code: int) -> None:
@@ -218,7 +241,7 @@ def _one_form(asked: dict[str, bool]) -> None:
         raise UsageError(f"{' and '.join(forms)} ask for two forms of one answer", hint="Choose one of them.")
 
 
-def _ours_only(asked: dict[str, bool]) -> None:
+def _ours_only(asked: dict[str, object]) -> None:
     option = next((option for option, chosen in asked.items() if chosen), None)
     if option is not None:
         raise UsageError(f"the paper's method knows nothing of {option}", hint="Leave --method paper or that out.")
@@ -233,7 +256,9 @@ def _substitute(text: str) -> Substitute:
     return Substitute(food, like)
 
 
-def _questions(wanted: Sequence[str], dish_type: str | None, ids: Sequence[str], say: Say) -> list[Question]:
+def _questions(
+    wanted: Sequence[str] | None, dish_type: str | None, ids: Sequence[str] | None, say: Say
+) -> list[Question]:
     """Return what is asked: with ``--dish`` ingredients in words, else files where any of ``wanted`` looks like one."""
     from foon_kg.foon import Question
     from foon_kg.planning.recipes import recipe_files
@@ -242,6 +267,7 @@ def _questions(wanted: Sequence[str], dish_type: str | None, ids: Sequence[str],
         raise UsageError("say what to plan: ingredients, recipe files or --recipe ID", hint="See foon plan --help.")
     if ids:
         return [Question(given=recipe) for recipe in _stored_recipes(ids, dish_type, say)]
+    wanted = wanted or ()
     if dish_type is None and any(map(_looks_like_a_file, wanted)):
         return [Question(path) for path in recipe_files(Path(name) for name in wanted)]
     return [Question(dish_type=dish_type or "", texts=tuple(wanted))]

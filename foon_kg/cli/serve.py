@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,8 +13,6 @@ from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, s
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    import socket
-
     from foon_kg.web.service import FoonSource
 
 EXAMPLES = examples(
@@ -68,49 +67,20 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     X-Forwarded-For is to be believed.
     """
     from foon_kg.foon import Foon
-    from foon_kg.planning.batch import cores
-    from foon_kg.planning.processes import collect_often
-    from foon_kg.web.api import web_app
-    from foon_kg.web.callers import Callers, proxy_network
-    from foon_kg.web.connections import server_of
-    from foon_kg.web.explore.cypher import CypherDesk
-    from foon_kg.web.limits import Limits
-    from foon_kg.web.security import own_names, public_name
-    from foon_kg.web.service import FoonService
+    from foon_kg.web import serving
 
     say = sayer(quiet=quiet)
-    public = [public_name(name) for name in names or ()]
-    callers = Callers(tuple(map(proxy_network, proxies or ())))
+    reached = serving.Reached.at(host, names or (), proxies or (), token_file)
     if cypher and files:
         raise UsageError("files cannot be asked in Cypher", hint="Leave out --cypher, or load them into Neo4j.")
-    token = _token(token_file, host, public)
     foon = served_foon(files, say)
-    collect_often()
-    listener = _listening(host, port)
-    address = _address(host, listener) + (f"#token={token}" if token else "")
-    print_json({"address": address}) if as_json else say(address)
-    limits = Limits()
-    service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
-    service.summary()  # the processes begin now
-    desk = CypherDesk(lambda: Foon.connect(say=say)) if cypher else None
-    app = web_app(
-        service, names=own_names(host), public=public, token=token, limits=limits, callers=callers, cypher=desk
-    )
-    server_of(app, limits, callers).run(sockets=[listener])
+    in_cypher = partial(Foon.connect, say=say) if cypher else None
+    announce = _print_address if as_json else say
+    serving.serve(foon, reached, port, announce, jobs=jobs, asked_in_cypher=in_cypher)
 
 
-def _token(file: Path | None, host: str, public: Sequence[str]) -> str | None:
-    """Return the token in a file, which is made where it is missing; raises UsageError where there has to be one."""
-    from foon_kg.web.security import is_loopback, token_from
-
-    if file is not None:
-        return token_from(file.expanduser())
-    if public or not is_loopback(host):
-        raise UsageError(
-            f"anybody could reach {public[0] if public else host}, and there is no token",
-            hint="Add --token-file FILE (it is made), or stay with 127.0.0.1 and no --name.",
-        )
-    return None
+def _print_address(address: str) -> None:
+    print_json({"address": address})
 
 
 def served_foon(files: Sequence[Path] | None, say: Say) -> FoonSource:
@@ -126,21 +96,3 @@ def served_foon(files: Sequence[Path] | None, say: Say) -> FoonSource:
     if foon.edition() == EMPTY:  # what is wrong is said now, and not to the first who asks
         say("The database holds no FOON yet. Load one: foon load foon PATH…; what is loaded is served at once.")
     return foon
-
-
-def _address(host: str, listener: socket.socket) -> str:
-    name = f"[{host}]" if ":" in host else host
-    return f"http://{name}:{listener.getsockname()[1]}/"
-
-
-def _listening(host: str, port: int) -> socket.socket:
-    """Return a socket that listens; raises UsageError where it cannot."""
-    import socket
-
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    try:
-        return socket.create_server((host, port), family=family)
-    except OSError as error:
-        raise UsageError(
-            f"{host}:{port} cannot be served: {error.strerror}", hint="Choose another with --port or --host."
-        ) from error
