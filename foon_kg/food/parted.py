@@ -15,7 +15,7 @@ def comes_apart(facts: Food, state: str) -> bool:
 
     ``facts`` are what the tables say of the food.
     """
-    return state in word_list("is asked in two parts") and facts.is_a(*word_list("comes apart when it is opened"))
+    return state in word_list("is asked in two parts") and facts.is_any(word_list("comes apart when it is opened"))
 
 
 def parts_in(label: str) -> tuple[str, str]:

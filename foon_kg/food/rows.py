@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -69,6 +69,10 @@ class Food:
 
     def is_a(self, *names: str) -> bool:
         """Whether the food is of one of these kinds, has one of these traits, or is called so."""
+        return not self._tags.isdisjoint(names)
+
+    def is_any(self, names: Collection[str]) -> bool:
+        """Whether it is one of ``names``, as :meth:`is_a` has them: those of a list."""
         return not self._tags.isdisjoint(names)
 
     def is_of(self, *kinds: str) -> bool:

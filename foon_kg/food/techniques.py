@@ -131,7 +131,7 @@ def _holds(term: str, label: str, facts: Food, around: Around) -> bool:
         return not set(words(label)).isdisjoint(around.told)
     if term.startswith("kind:"):
         return facts.is_of(term.removeprefix("kind:"))
-    return term == "*" or facts.is_a(*(word_list(rest) if mark == "@" else (term,)))
+    return term == "*" or (facts.is_any(word_list(rest)) if mark == "@" else facts.is_a(term))
 
 
 @dataclass(frozen=True)

@@ -38,9 +38,9 @@ Three seasonings that find their place must not make up for a chicken that finds
 
 def weight(want: Want, known: Tables) -> float:
     """Return how much the food ``want`` matters to a dish, by the tables ``known``: 2.0, 1.0 or 0.4."""
-    if want.facts.is_a(*CARRIES) or is_due(want, known):
+    if want.facts.is_any(CARRIES) or is_due(want, known):
         return _CARRIES
-    return _SEASONS if want.facts.is_a(*SEASONS) else _PLAIN
+    return _SEASONS if want.facts.is_any(SEASONS) else _PLAIN
 
 
 def is_due(want: Want, known: Tables) -> bool:
@@ -71,18 +71,18 @@ class AskedFood:
     @classmethod
     def of(cls, want: Want, known: Tables) -> AskedFood:
         """Return what the tables ``known`` say of ``want``, one food that is asked."""
-        is_a = want.facts.is_a
-        flesh = is_a(*_FLESH)
+        is_a, is_any = want.facts.is_a, want.facts.is_any
+        flesh = is_any(_FLESH)
         return cls(
             want,
             weight(want, known),
-            carries=is_a(*CARRIES),
+            carries=is_any(CARRIES),
             due=is_due(want, known),
-            base=is_a(*_BASES),
+            base=is_any(_BASES),
             flesh=flesh,
             ready_flesh=flesh and is_a("ready"),
             runs=is_a("liquid", "creamy", "egg") and not is_a("water", "fat"),
-            worked_in=is_a(*_WORKED_IN),
+            worked_in=is_any(_WORKED_IN),
             in_pieces=known.state(want.asked).fineness > 0 and not is_a("spice", "stock"),
         )
 

@@ -156,7 +156,7 @@ def is_truly(fit: Fit, share: float = _MOST_OF_ITS_FOODS) -> bool:
     """
     taken = {id(join.slot) for join in fit.joins if join.slot is not None}
     foods = zip(fit.frame.line.all_slots(), fit.dish.foods, strict=True)
-    slots = [id(slot) for slot, food in foods if not food.is_a(*SEASONS)]
+    slots = [id(slot) for slot, food in foods if not food.is_any(SEASONS)]
     # a goal that is only called by its type (soup) says nothing that could be untrue
     plain = fit.dish.type_words.issuperset(fit.dish.words) or not slots
     return plain or sum(slot in taken for slot in slots) >= share * len(slots)
@@ -164,5 +164,5 @@ def is_truly(fit: Fit, share: float = _MOST_OF_ITS_FOODS) -> bool:
 
 def has_mostly_its_foods(fit: Fit) -> bool:
     """Return whether more than half of what is asked, but seasonings, has a place of its own in the dish of ``fit``."""
-    body = [join.slot is not None for join in fit.joins if not join.want.facts.is_a(*SEASONS)]
+    body = [join.slot is not None for join in fit.joins if not join.want.facts.is_any(SEASONS)]
     return 2 * sum(body) > len(body) or fit.dish.type_words.issuperset(fit.dish.words)

@@ -67,13 +67,13 @@ class Recorded:
     def built_on(self) -> tuple[int, ...]:
         """The slots of what it is built on, by identity."""
         slots = zip(self.frame.line.all_slots(), self.foods, strict=True)
-        return tuple(id(slot) for slot, food in slots if food.is_a(*CARRIES))
+        return tuple(id(slot) for slot, food in slots if food.is_any(CARRIES))
 
     @cached_property
     def beside(self) -> tuple[int, ...]:
         """The slots of its other foods but seasonings, by identity."""
         slots = zip(self.frame.line.all_slots(), self.foods, strict=True)
-        return tuple(id(slot) for slot, food in slots if not food.is_a(*CARRIES) and not food.is_a(*SEASONS))
+        return tuple(id(slot) for slot, food in slots if not food.is_any(CARRIES) and not food.is_any(SEASONS))
 
     @cached_property
     def work_done(self) -> frozenset[str]:
@@ -205,5 +205,5 @@ class Recorded:
             foods = (self.known.foods.food(slot.food) for slot in spot.stage.slots)
             there += [food for food in foods if not food.is_a("fat")]
             if there and spot.stage.heats:
-                return all(food.is_a(*word_list("carries what is stacked")) for food in there)
+                return all(food.is_any(word_list("carries what is stacked")) for food in there)
         return False

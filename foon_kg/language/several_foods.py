@@ -88,7 +88,7 @@ def of_one_fruit(line: RecipeLine) -> RecipeLine:
     """
     grated = [state for state in line.states if state in word_list("is the zest of a fruit")]
     pressed = any(state in word_list("is the juice of a fruit") for state in line.states)
-    if not (grated and pressed) or not tables().foods.food(line.object or "").is_a(*word_list("gives zest and juice")):
+    if not (grated and pressed) or not tables().foods.food(line.object or "").is_any(word_list("gives zest and juice")):
         return line
     zest = replace(line, state=grated[0], states=(grated[0],), beside=())
     pressing = min(word_list("is pressed out of a fruit"))

@@ -71,7 +71,7 @@ def closing(told: Collection[str], joins: Sequence[Join]) -> str:
 
     ``told`` are the words of the dish's title.
     """
-    flat = sum(join.want.facts.is_a(*word_list("can be rolled")) for join in joins) == 1
+    flat = sum(join.want.facts.is_any(word_list("can be rolled")) for join in joins) == 1
     ways = ("is rolled up", "is folded over")
     return next((min(word_list(f"{way} by")) for way in ways if flat and says(told, way)), "")
 

@@ -155,7 +155,7 @@ class RecipeLikes:
 
         Of a part of a FOON they are not among the known ones.
         """
-        strange = sorted({food for food in foods if not self._likes.knows(food)})
+        strange = sorted(set(foods) - self._likes.place.keys())
         if strange:
             self._met = {food: place for place, food in enumerate(strange)}
             self._met_in_slots = self._likes.in_slots(self._wanted, strange)

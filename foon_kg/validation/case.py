@@ -152,7 +152,7 @@ class Case:
 
     def _is_kept_of(self, name: str, part: Part) -> bool:
         """Whether ``name`` is that of what was taken out of a pot, and ``part`` the water that boiled in it."""
-        if not self.tables.foods.food(name).is_a(*word_list("is the water of a pot")) or not part.food.is_a("water"):
+        if not self.tables.foods.food(name).is_any(word_list("is the water of a pot")) or not part.food.is_a("water"):
             return False
         taken = (h for h in self.happenings if name in {singular(node.label) for node in h.outputs})
         return part.heated is not None and any(part.name in {singular(node.label) for node in h.inputs} for h in taken)
@@ -193,7 +193,7 @@ def was_taken_out(case: Case, food: str) -> bool:
     given = word_list("is taken out of the dish")
     if says(case.dish_types, "is drunk"):
         given |= word_list("is taken out of what is drunk") | word_list("stays in a strainer")
-    if not any(facts.is_a(*given) for facts in _as_asked(case, food)):
+    if not any(facts.is_any(given) for facts in _as_asked(case, food)):
         return False
     nodes = (node for happening in case.happenings for node in happening.outputs)
     return any(len(node.ingredients) > 1 and food in map(singular, node.ingredients) for node in nodes)

@@ -125,7 +125,7 @@ def _raw_sauce(case: Case, goal: ObjectNode) -> Iterator[Finding]:
 
 def _of_kind(case: Case, listed: str) -> list[Part]:
     """Return the parts of the dish that are of a kind in the list of words called ``listed``."""
-    return [part for part in case.parts if part.food.is_a(*word_list(listed))]
+    return [part for part in case.parts if part.food.is_any(word_list(listed))]
 
 
 def _is_raw_sauce(case: Case, goal: ObjectNode) -> bool:
@@ -156,7 +156,7 @@ def _is_flat(case: Case, dish: Dish) -> bool:
     raises = word_list("makes dough rise") | {"egg", "leaven"}
     flat = dish.name in word_list("is done in a pan where it is flat") and _was_hot(case)
     thin = any(happening.does("shape") for happening in case.happenings)
-    return flat and thin and not any(part.food.is_a(*raises) for part in case.parts)
+    return flat and thin and not any(part.food.is_any(raises) for part in case.parts)
 
 
 def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
@@ -323,7 +323,7 @@ def _came_after_mixing(case: Case, part: Part, last: int) -> bool:
     """Whether a part came to the dish after its ``last`` mixing, and is not of what is laid on or stirred in there."""
     if part.mixed == last or (part.mixed is not None and _is_of_a_dough(case, part.mixed)):
         return False  # it came on with the mixture: batter into a greased tin, a pancake under its sauce
-    if part.joined is None or part.joined <= last or part.food.is_a(*_COMES_LAST):
+    if part.joined is None or part.joined <= last or part.food.is_any(_COMES_LAST):
         return False
     return not _is_baked_on(case, part.joined) and not _crowns(case, part)
 
@@ -342,7 +342,7 @@ def _crowns(case: Case, part: Part) -> bool:
     """Whether a part lies on top of what is cooked, or of what is drunk."""
     crowns = word_list("lies on what is cooked") | word_list("lies on what is eaten with a spoon")
     drunk = says(case.dish_types, "is drunk")
-    return part.food.is_a(*crowns) and (drunk or _was_hot(case))
+    return part.food.is_any(crowns) and (drunk or _was_hot(case))
 
 
 def _mixes(case: Case) -> bool:

@@ -46,7 +46,7 @@ def _ground_by_a_knife(happening: Happening, case: Case) -> Iterator[Finding]:
     """Yield each food that a cut is said to make as fine as powder and that is not soft."""
     before = {state for mention in happening.step.inputs for state in mention.node.states}
     for node, lump in happening.outputs.items():
-        soft = all(part.food.is_a(*word_list("is soft enough for a knife")) for part in lump.parts)
+        soft = all(part.food.is_any(word_list("is soft enough for a knife")) for part in lump.parts)
         if not soft and _finest(set(node.states) - before, case) >= _AS_POWDER:
             yield Finding("W4", f"{lump.label} is too hard to be ground by a knife", happening.number, (node,))
 
@@ -84,8 +84,8 @@ def _has_tool(happening: Happening) -> bool:
 
 def _wants_a_knife(part: Part) -> bool:
     """Whether a food is firm, and nothing made it soft yet."""
-    raw = part.heated is None and part.food.is_a(*word_list("wants a knife"))
-    return raw and not part.food.is_a(*word_list("is broken by hand"))
+    raw = part.heated is None and part.food.is_any(word_list("wants a knife"))
+    return raw and not part.food.is_any(word_list("is broken by hand"))
 
 
 def _grated_small(happening: Happening) -> Iterator[Finding]:

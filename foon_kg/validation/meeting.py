@@ -19,7 +19,7 @@ def hot_on_cold(case: Case) -> Iterator[Finding]:
     """
     if not _is_dressed_cold(case):
         return
-    cold = [part for part in case.parts if part.heated is None and part.food.is_a(*word_list("suffers from heat"))]
+    cold = [part for part in case.parts if part.heated is None and part.food.is_any(word_list("suffers from heat"))]
     for part in case.parts:
         met = next((other for other in cold if not _has_cooled(part, other)), None)
         if met is not None and not part.food.is_a("fat", "liquid", "water", *word_list("only flavours")):
@@ -44,7 +44,7 @@ def lumpy(case: Case) -> Iterator[Finding]:
 
     Not where it makes a batter or a dough with what is in there: eggs or what makes it rise.
     """
-    if any(part.food.is_a(*word_list("makes no sauce of what binds")) for part in case.parts):
+    if any(part.food.is_any(word_list("makes no sauce of what binds")) for part in case.parts):
         return
     hot: defaultdict[int, set[str]] = defaultdict(set)
     for happening in case.happenings:

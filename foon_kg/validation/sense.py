@@ -63,8 +63,8 @@ def _drunk_in_pieces(case: Case) -> Iterator[Finding]:
     kinds = _only_drunk_blended(case)
     if not kinds:
         return
-    pieces = [part for part in _mixed_in_pieces(case) if not part.food.is_a(*word_list("is a slice on a glass"))]
-    thick = [part for part in pieces if part.food.is_a(*kinds)]
+    pieces = [part for part in _mixed_in_pieces(case) if not part.food.is_any(word_list("is a slice on a glass"))]
+    thick = [part for part in pieces if part.food.is_any(kinds)]
     if thick:
         step = min(part.mixed or 0 for part in thick)
         yield Finding("K7", f"{names(part.name for part in thick)} is drunk in pieces", step)
@@ -79,10 +79,10 @@ def _only_drunk_blended(case: Case) -> frozenset[str]:
     pieces_told = word_list("is called by pieces in it") | word_list("is drunk hot")
     if not says(case.dish_types, "is drunk") or not pieces_told.isdisjoint(words(case.title)):
         return frozenset()
-    if any(part.food.is_a(*word_list("is drunk with pieces in it")) for part in case.parts):
+    if any(part.food.is_any(word_list("is drunk with pieces in it")) for part in case.parts):
         return frozenset()
     kinds = frozenset[str]()
-    if any(part.food.is_a(*word_list("makes a blended drink")) for part in case.parts):
+    if any(part.food.is_any(word_list("makes a blended drink")) for part in case.parts):
         kinds |= word_list("is drunk blended")
     if not any(part.food.is_a("spirit") for part in case.parts):
         kinds |= word_list("is no drink until it is blended")

@@ -43,7 +43,7 @@ def raw(case: Case) -> Iterator[Finding]:
     for part in _eaten_cooked(case, called):
         for treatment, level in _owed_heat(case, part):
             how = "in enough liquid" if treatment == "boil" else "at all"
-            minor = level is Level.MINOR or part.food.is_a(*eased)
+            minor = level is Level.MINOR or part.food.is_any(eased)
             yield Finding("K1", f"{part.name} is in the dish and was not cooked {how}", minor=minor)
     yield from _never_hot(case)
 
@@ -52,7 +52,7 @@ def _eaten_cooked(case: Case, called: Sequence[Dish]) -> list[Part]:
     """Return the parts of the dish that nobody eats raw, in a dish that is ``called`` so."""
     eaten_raw = frozenset(kind for dish in called for kind in dish.raw)
     told = [part for part in case.parts if not part.unstated and not part.remains]
-    return [part for part in told if not part.food.is_a(*eaten_raw)]
+    return [part for part in told if not part.food.is_any(eaten_raw)]
 
 
 def _eased(case: Case, called: Sequence[Dish]) -> frozenset[str]:
@@ -81,10 +81,10 @@ def _owed_heat(case: Case, part: Part) -> Iterator[tuple[str, Level]]:
 def _never_hot(case: Case) -> Iterator[Finding]:
     """Yield flour that nothing heated, whatever was stirred into it, and what was to make it rise."""
     ours = [part for part in case.parts if not part.remains and not part.unstated]
-    dusts = any(part.food.is_a(*word_list("is dusted with starch")) for part in ours)
+    dusts = any(part.food.is_any(word_list("is dusted with starch")) for part in ours)
     for part in _raised(ours):
         dust = dusts and part.food.is_a("starch")
-        if part.heated is None and not dust and not part.food.is_a(*word_list("is flour eaten raw")):
+        if part.heated is None and not dust and not part.food.is_any(word_list("is flour eaten raw")):
             yield Finding("K1", f"{part.name} is in the dish, and nothing heated it", part.joined)
 
 
@@ -103,7 +103,7 @@ def whole(case: Case) -> Iterator[Finding]:
                 yield Finding("K2", f"the remains of {part.name} are in the dish")
         elif not part.unstated:
             yield from _untreated(part)
-            if part.food.is_a(*word_list("is taken out of the dish")) and _is_left_in(case, part):
+            if part.food.is_any(word_list("is taken out of the dish")) and _is_left_in(case, part):
                 yield Finding("K2", f"{part.name} is in the dish, and nobody eats it", minor=True)
     yield from _more_than_a_bite(case)
 
@@ -113,7 +113,7 @@ def _untreated(part: Part) -> Iterator[Finding]:
     for treatment, level in sorted(part.food.owes.items()):
         if treatment not in _WHOLE or level is Level.ADVICE or _is_done(part, treatment):
             continue
-        if treatment == "soak" and part.food.is_a(*word_list("is done without soaking")):
+        if treatment == "soak" and part.food.is_any(word_list("is done without soaking")):
             continue
         spread = part.fine > 0 and treatment in word_list("is spread by cutting")
         minor = level is Level.MINOR and not spread
@@ -127,7 +127,7 @@ def _more_than_a_bite(case: Case) -> Iterator[Finding]:
         return
     for part in case.parts:
         small = says(words(part.name), "is a small one")
-        if part.fine == _HALVED and not small and part.food.is_a(*word_list("is more than a bite in halves")):
+        if part.fine == _HALVED and not small and part.food.is_any(word_list("is more than a bite in halves")):
             yield Finding("K2", f"half of one {part.name} is more than a bite", minor=True)
 
 
@@ -135,7 +135,7 @@ def _is_left_in(case: Case, part: Part) -> bool:
     """Whether what only gives its taste is still in the dish, by its name, and in one piece."""
     told = {singular(food) for food in case.goal.ingredients} if case.goal is not None else set[str]()
     plucked = says((*part.states, *words(part.name)), "is plucked off its stem")
-    plucked = plucked and not part.food.is_a(*word_list("is a leaf by itself"))
+    plucked = plucked and not part.food.is_any(word_list("is a leaf by itself"))
     return part.fine == 0 and not plucked and (part.name in told or not told)
 
 
@@ -183,7 +183,7 @@ def _killed(case: Case, happening: Happening) -> Iterator[Finding]:
         return
     for node in nodes:
         food = case.tables.foods.food(node.label, node.states)
-        if food.is_a(*word_list("makes dough rise")) and not food.is_a("flour"):
+        if food.is_any(word_list("makes dough rise")) and not food.is_a("flour"):
             yield Finding("K3", f"{node.label} is killed by boiling water", happening.number, (node,))
 
 

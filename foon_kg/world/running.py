@@ -21,12 +21,12 @@ def is_runny(label: str, states: Sequence[str], parts: Sequence[str], known: Tab
         return _runs_as_it_is(known.foods.food(parts[0] if parts else label, states), states, known)
     foods = [known.foods.food(name) for name in parts]
     wet = any(food.is_a("liquid", "water") and not food.is_a("fat") for food in foods)
-    return wet and all(food.is_a(*word_list("runs in a mixture")) for food in foods)
+    return wet and all(food.is_any(word_list("runs in a mixture")) for food in foods)
 
 
 def _runs_as_it_is(facts: Food, states: Sequence[str], known: Tables) -> bool:
     """Whether a single food runs: by itself, by a state that it is in, or because it is out of its shell."""
-    opened = facts.is_a(*word_list("runs out of its shell")) and "shell" in facts.owes
+    opened = facts.is_any(word_list("runs out of its shell")) and "shell" in facts.owes
     cooked = any(known.state(state).needs_heat or "cook" in known.state(state).earns for state in states)
     if opened and not cooked and says(states, "is open and raw"):
         return True
@@ -41,11 +41,11 @@ def _is_set(states: Sequence[str], parts: Sequence[str], known: Tables) -> bool:
     if not any(known.state(state).needs_heat for state in states):
         return False
     foods = [known.foods.food(name) for name in parts]
-    if any(food.is_a(*word_list("sets what is heated with it")) for food in foods):
+    if any(food.is_any(word_list("sets what is heated with it")) for food in foods):
         return True
     return any(food.is_a("egg") and not food.is_a("liquid") for food in foods) and not _is_custard(foods)
 
 
 def _is_custard(foods: Sequence[Food]) -> bool:
     """Whether eggs are stirred with what is sweet in what keeps them from setting."""
-    return all(any(food.is_a(*word_list(need)) for food in foods) for need in ("sweetens eggs", "thins eggs"))
+    return all(any(food.is_any(word_list(need)) for food in foods) for need in ("sweetens eggs", "thins eggs"))

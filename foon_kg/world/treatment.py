@@ -98,7 +98,7 @@ def _treat(part: Part, lump: Lump, earned: Sequence[str], supply: Supply, happen
 def _is_pressed_out(lump: Lump, supply: Supply, happening: Happening) -> bool:
     """Whether a food came off one that keeps its skin and core: juice that is separated, zest that is grated."""
     became = supply.reader.tables.foods.food(lump.label, lump.states)
-    comes_off = happening.does("grate") and became.is_a(*word_list("is grated off the whole"))
+    comes_off = happening.does("grate") and became.is_any(word_list("is grated off the whole"))
     return comes_off or (happening.does("separate") and became.is_a("liquid"))
 
 

@@ -148,7 +148,7 @@ class _Assigner:
         """Put what the recipe says is for a ``line`` where one of its ``requests`` means it, else at the first one."""
         poured = line in word_list("is poured over what lies below")
         for join in self.joins:
-            below = poured and join.want.facts.is_a(*word_list("lies below what is poured"))
+            below = poured and join.want.facts.is_any(word_list("lies below what is poured"))
             if self._line(join) == line and not below:
                 request = next(
                     (request for request in requests if means(request.foods, join.want, self.around)), requests[0]

@@ -69,13 +69,13 @@ def _has_a_coating(joins: Sequence[Join], *, takes_flour: bool) -> bool:
 
 def _has_liquid(joins: Sequence[Join]) -> bool:
     """Whether a liquid is there to cook in, beside what flesh is turned in."""
-    return any(join.want.facts.is_a("cooking liquid") and not join.want.facts.is_a(*_WET) for join in joins)
+    return any(join.want.facts.is_a("cooking liquid") and not join.want.facts.is_any(_WET) for join in joins)
 
 
 def _baked_under(joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
     """Return how flesh is coated, and baked under what melts on top of it."""
     under = replace(BAKE)
-    below = sorted(joins, key=lambda join: join.want.facts.is_a(*word_list("melts on top")))
+    below = sorted(joins, key=lambda join: join.want.facts.is_any(word_list("melts on top")))
     return coated_apart(Line((under,)), [_at(join, under) for join in below], kinds)
 
 
@@ -86,7 +86,7 @@ def _on_a_tray(joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tup
     over = word_list("lies on flesh") | _BESIDE
     last = made.stages[-1]
     found = tuple(
-        replace(_at(join, top), on_top=True) if join.spot.stage is last and join.want.facts.is_a(*over) else join
+        replace(_at(join, top), on_top=True) if join.spot.stage is last and join.want.facts.is_any(over) else join
         for join in found
     )
     return Line((*made.stages, top)), found
@@ -108,8 +108,8 @@ def _in_a_sauce(sauce: Stage, joins: Sequence[Join], kinds: Collection[str]) -> 
 
 def _raw_flesh(joins: Sequence[Join], kinds: Collection[str]) -> list[Join]:
     """Return what is raw of those kinds; minced flesh is mixed with what would coat it, and never turned in that."""
-    raw = [join for join in joins if join.want.facts.is_a(*kinds) and not _is_done(join.want)]
-    return [join for join in raw if not join.want.facts.is_a(*word_list("patties are made of"))]
+    raw = [join for join in joins if join.want.facts.is_any(kinds) and not _is_done(join.want)]
+    return [join for join in raw if not join.want.facts.is_any(word_list("patties are made of"))]
 
 
 def _is_shaped(line: Line) -> bool:
@@ -130,7 +130,7 @@ def _is_done(want: Want) -> bool:
 def is_portion(want: Want, known: Tables) -> bool:
     """Return whether ``want`` is flesh that comes in portions, by the tables ``known``, and is not asked cut."""
     whole = not want.make or known.state(want.make).fineness == 0
-    minced = want.facts.is_a(*word_list("patties are made of"))
+    minced = want.facts.is_any(word_list("patties are made of"))
     return whole and not minced and says(words(want.label), "is a portion")
 
 
@@ -146,7 +146,7 @@ def coated_apart(
     ``kinds`` are those of the flesh; ``heats``: it is fried then, before it joins.
     """
     flesh = _raw_flesh(joins, kinds)
-    dry = [join for join in joins if join.want.facts.is_a(*_DRY)]
+    dry = [join for join in joins if join.want.facts.is_any(_DRY)]
     if len(flesh) != 1 or not dry:
         return line, tuple(joins)
     wet = _what_wets(joins, dry)
@@ -182,14 +182,14 @@ def _place_of(join: Join, places: Sequence[tuple[Sequence[Join], Stage]]) -> Sta
 
 def _what_dusts(dry: Sequence[Join]) -> list[Join]:
     """Return what flesh is turned in first, so that the wash clings to it, where something else makes the crust."""
-    dust = [join for join in dry if not join.want.facts.is_a(*_ROUGH)]
+    dust = [join for join in dry if not join.want.facts.is_any(_ROUGH)]
     return dust if len(dust) < len(dry) else []
 
 
 def _what_wets(joins: Sequence[Join], dry: Sequence[Join]) -> list[Join]:
     """Return what the wash is mixed of, with what seasons it; what is ``dry`` is none of that."""
-    wet = [join for join in joins if join.want.facts.is_a(*_WET) and join not in dry]
-    seasons = [join for join in joins if join.want.facts.is_a(*word_list("seasons what coats"))]
+    wet = [join for join in joins if join.want.facts.is_any(_WET) and join not in dry]
+    seasons = [join for join in joins if join.want.facts.is_any(word_list("seasons what coats"))]
     return [*wet, *seasons] if wet else []
 
 

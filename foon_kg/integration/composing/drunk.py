@@ -99,4 +99,4 @@ def garnished(line: Line, joins: Sequence[Join], name_words: frozenset[str]) -> 
 
 def _is_garnish(join: Join) -> bool:
     cut = says({join.want.asked, *words(join.want.label)[-1:]}, "garnishes a glass")
-    return join.want.facts.is_a(*word_list("is a leaf on a glass")) or (cut and join.want.facts.is_a(*_SLICES))
+    return join.want.facts.is_any(word_list("is a leaf on a glass")) or (cut and join.want.facts.is_any(_SLICES))

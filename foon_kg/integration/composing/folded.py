@@ -28,8 +28,8 @@ def is_folded(joins: Sequence[Join], named: Collection[str]) -> bool:
     if not says(named, "is folded") or says(named, "is not folded"):
         return False
     facts = [join.want.facts for join in joins]
-    sets = any(one.is_a(*word_list("sets in a pan")) for one in facts)
-    return sets and not any(one.is_a(*word_list("is too thick to be folded")) for one in facts)
+    sets = any(one.is_any(word_list("sets in a pan")) for one in facts)
+    return sets and not any(one.is_any(word_list("is too thick to be folded")) for one in facts)
 
 
 def folded(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
@@ -41,7 +41,7 @@ def folded(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     setting = replace(_SET, adds=(Line((beat,)),))
     stages = (pan, setting, melt, fold, top)
     found = []
-    flesh = any(join.want.facts.is_a(*word_list("is flesh")) and "cook" in join.want.facts.owes for join in joins)
+    flesh = any(join.want.facts.is_any(word_list("is flesh")) and "cook" in join.want.facts.owes for join in joins)
     for join in joins:
         thin = not flesh and join.want.facts.is_of(*word_list("runs or melts into eggs"))
         stage = beat if thin else _stage_of(join, beat, pan, melt, top)
@@ -55,8 +55,8 @@ def _stage_of(join: Join, beat: Stage, pan: Stage, melt: Stage, top: Stage) -> S
     facts = join.want.facts
     if facts.is_a("fat"):
         return pan
-    if facts.is_a(*word_list("is beaten with eggs")):
+    if facts.is_any(word_list("is beaten with eggs")):
         return beat
-    if facts.is_a(*word_list("is laid on set eggs")):
+    if facts.is_any(word_list("is laid on set eggs")):
         return melt
     return top if facts.is_a("topping", "herb") else pan

@@ -33,7 +33,7 @@ _SAUCE = word_list("is a sauce around a mass")
 
 def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
     """Return whether ``dishes``, its names, have balls, patties or cakes, and ``joins`` no bread around them."""
-    carried = any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins)
+    carried = any(join.want.facts.is_any(word_list("carries what is stacked")) for join in joins)
     other = any(dish.dressed or (dish.stacked and carried) for dish in dishes)
     return any(dish.formed for dish in dishes) and not other
 
@@ -85,7 +85,7 @@ def _cooked(shaped: Line, goal: str, *, baked: bool) -> tuple[Stage, ...]:
 
 def _sauced(wet: Sequence[Join], adds: tuple[Line, ...]) -> Stage:
     """Return the stage at which what is ``wet`` joins what is shaped; there is a sauce only where some of it runs."""
-    lies = all(join.want.facts.is_a(*word_list("only lies in a sauce")) for join in wet)
+    lies = all(join.want.facts.is_any(word_list("only lies in a sauce")) for join in wet)
     return replace(COOK if lies else SIMMER, adds=adds)
 
 
@@ -125,13 +125,13 @@ class _Mass:
         self.joins = joins
         self.main = self._main()
         facts = [join.want.facts for join in joins]
-        self.bound = any(one.is_a(*word_list("binds patties")) for one in facts)
+        self.bound = any(one.is_any(word_list("binds patties")) for one in facts)
         self.begin = self._begin()
         self.wet = any(map(self._is_around, joins))
 
     def _main(self) -> list[Join]:
         for words_of in ("patties are made of", "is shaped too", "is shaped when it is mashed"):
-            found = [join for join in self.joins if join.want.facts.is_a(*word_list(words_of))]
+            found = [join for join in self.joins if join.want.facts.is_any(word_list(words_of))]
             if found:
                 return found
         return []
@@ -142,13 +142,13 @@ class _Mass:
         around = filter(self._is_around, self.joins)
         wet = [join.want for join in around if _is_listed_behind(join.want, first)]
         main = [want for want in wet if want.facts.is_of(*word_list("is the body of a sauce"))]
-        others = [want for want in wet if not want.facts.is_a(*word_list("is mixed into a mass"))]
+        others = [want for want in wet if not want.facts.is_any(word_list("is mixed into a mass"))]
         return min((min(want.places) for want in main or others), default=math.inf)
 
     @property
     def is_the_dish(self) -> bool:
         """Whether something is shaped, and is no mere part of the dish: balls with pasta."""
-        sauced = (join for join in self.joins if join.want.facts.is_a(*word_list("is eaten with a sauce")))
+        sauced = (join for join in self.joins if join.want.facts.is_any(word_list("is eaten with a sauce")))
         return bool(self.main) and all(map(self.holds, sauced))
 
     def _is_around(self, join: Join) -> bool:
@@ -159,7 +159,7 @@ class _Mass:
     def _is_the_title_s(self, join: Join) -> bool:
         """Whether the title names what would else season a mass: the sauce of teriyaki meatballs is around them."""
         named = not self.name_words.isdisjoint(words(join.want.label))
-        return named and join.want.facts.is_a(*word_list("is around a mass where a title names it"))
+        return named and join.want.facts.is_any(word_list("is around a mass where a title names it"))
 
     def holds(self, join: Join) -> bool:
         """Return whether raw grain is shaped with the rest and done in the sauce, before which it is listed."""
@@ -169,7 +169,7 @@ class _Mass:
 
     def _is_beside_binder(self, join: Join) -> bool:
         """Whether a recipe lists a food right before or after the crumbs that bind a mass."""
-        binders = [one.want for one in self.joins if one.want.facts.is_a(*word_list("is soaked to bind"))]
+        binders = [one.want for one in self.joins if one.want.facts.is_any(word_list("is soaked to bind"))]
         return any(abs(mine - other) == 1 for one in binders for mine in join.want.places for other in one.places)
 
     def _is_listed_after(self, join: Join) -> bool:
@@ -181,7 +181,7 @@ class _Mass:
     def _is_listed_before(self, join: Join) -> bool:
         """Whether a recipe lists what seasons a mass before the sauce begins."""
         early = bool(join.want.places) and min(join.want.places) < self.begin < math.inf
-        return early and join.want.facts.is_a(*word_list("seasons a mass"))
+        return early and join.want.facts.is_any(word_list("seasons a mass"))
 
     def _fine(self, join: Join) -> int:
         return fineness((join.want.make, *join.want.leaf), self.known)
@@ -195,9 +195,9 @@ class _Mass:
             return True
         if facts.is_a("fat") or self._is_around(join):
             return False
-        if facts.is_a(*word_list("binds a mass or a sauce")):
+        if facts.is_any(word_list("binds a mass or a sauce")):
             return not self.wet
-        if facts.is_a(*word_list("is bound with it")):
+        if facts.is_any(word_list("is bound with it")):
             return not self.bound and not alone
         return alone and self._is_small_enough(join)
 
@@ -206,7 +206,7 @@ class _Mass:
 
     def _is_beside_it(self, join: Join) -> bool:
         """Whether a food is taken out of the dish, lies on it, or is listed with its sauce."""
-        taken = join.want.facts.is_a(*word_list("is taken out of the dish"))
+        taken = join.want.facts.is_any(word_list("is taken out of the dish"))
         return taken or self.lies_on_it(join) or self._is_listed_after(join)
 
     def _is_surely_of_it(self, join: Join) -> bool:
@@ -227,8 +227,8 @@ class _Mass:
         if self._is_beside_binder(join):
             return True
         others = [one.want.facts for one in self.joins if one is not join]
-        drunk = join.want.facts.is_a(*word_list("makes a sauce only when it is bound"))
-        loose = drunk and not any(one.is_a(*word_list("binds a mass or a sauce")) for one in others)
+        drunk = join.want.facts.is_any(word_list("makes a sauce only when it is bound"))
+        loose = drunk and not any(one.is_any(word_list("binds a mass or a sauce")) for one in others)
         return loose or any(_runs_around(one) for one in others)
 
     def _is_for_flour(self, join: Join) -> bool:
@@ -251,7 +251,7 @@ class _Mass:
 
     def smoothed(self, wet: Sequence[Join]) -> list[Join]:
         """Return what of a sauce is whisked before it comes to what is hot: flour, and a liquid that is poured."""
-        binds = [join for join in wet if join.want.facts.is_a(*word_list("binds a mass or a sauce"))]
+        binds = [join for join in wet if join.want.facts.is_any(word_list("binds a mass or a sauce"))]
         liquids = [join for join in wet if join.want.facts.is_of(*word_list("smooths what binds a sauce"))]
         liquids = [join for join in liquids if join.want.facts.is_a("liquid", "water")]
         return [*binds, liquids[0]] if binds and liquids else []
@@ -261,7 +261,7 @@ class _Mass:
         facts = join.want.facts
         if self._is_listed_before(join) or _is_listed_for_it(join):
             return False
-        wedge = facts.is_a(*word_list("is a wedge beside it")) and not join.want.squeezed
+        wedge = facts.is_any(word_list("is a wedge beside it")) and not join.want.squeezed
         return wedge or facts.is_a(*word_list("is served with what is fried"), "topping")
 
 

@@ -57,8 +57,8 @@ def _parts(wants: Sequence[Want], title: Sequence[str], repeated: Collection[str
 
 
 def _on_dough(wants: Sequence[Want]) -> list[Want]:
-    lies = [want for want in wants if want.facts.is_a(*word_list("lies on dough"))]
-    return [want for want in lies if not want.facts.is_a(*word_list("is kneaded in"))]
+    lies = [want for want in wants if want.facts.is_any(word_list("lies on dough"))]
+    return [want for want in lies if not want.facts.is_any(word_list("is kneaded in"))]
 
 
 class _Parted:
@@ -78,7 +78,7 @@ class _Parted:
         self.numbers = 2 * SECOND  # those of the components begin at 3 * SECOND, those of opened foods at 5 * SECOND
 
     def _are(self, words_of: str) -> list[Want]:
-        return [want for want in self.wants if want.facts.is_a(*word_list(words_of))]
+        return [want for want in self.wants if want.facts.is_any(word_list(words_of))]
 
     def _promised(self, words_of: str) -> bool:
         return not self.title_words.isdisjoint(word_list(words_of))
@@ -240,7 +240,7 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
     does = frozenset({"dry", "heat"})
     last = Stage((), "bake", does, (), "baking dish", "in", "oven", "heat", "", ("baked",), -1)
     spot = Spot(path=(len(stages),), stage=last, post=("bake", "now", False), side=False, after=())
-    tops = [join for join in joins if join.want.facts.is_a(*word_list("is browned on top"))]
+    tops = [join for join in joins if join.want.facts.is_any(word_list("is browned on top"))]
     return Line((*stages, last)), _laid_at(spot, joins, tops)
 
 
@@ -276,9 +276,9 @@ def _browned_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) ->
 
     Where flour makes a sauce for pasta, the cheese belongs to that.
     """
-    tops = [one for one in joins if one.want.make and one.want.facts.is_a(*word_list("is browned on top"))]
+    tops = [one for one in joins if one.want.make and one.want.facts.is_any(word_list("is browned on top"))]
     if any_is(joins, "flour") and any_is(joins, *word_list("is eaten with a sauce")):
-        tops = [one for one in tops if not one.want.facts.is_a(*word_list("melts on top"))]
+        tops = [one for one in tops if not one.want.facts.is_any(word_list("melts on top"))]
     return _laid_at(_spot_of(bakes, stages), joins, tops)
 
 
@@ -297,7 +297,7 @@ def _strewn_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> 
         return tuple(joins)
     spot = _spot_of(bakes, stages)
     strewn = word_list("is strewn on what is baked")
-    return tuple(replace(one, spot=spot, slot=None) if one.want.facts.is_a(*strewn) else one for one in joins)
+    return tuple(replace(one, spot=spot, slot=None) if one.want.facts.is_any(strewn) else one for one in joins)
 
 
 def _cold(motion: str) -> Stage:

@@ -69,7 +69,7 @@ def _gone(stages: Sequence[Stage], kept: Sequence[Line]) -> list[Stage]:
 def _is_fried_in_turn(joins: Sequence[Join]) -> bool:
     """Whether foods are boiled for a sauce, or flesh is stewed in a liquid, and nothing binds them."""
     wet = word_list("is cooked in for long") | word_list("is poured into the pan")
-    flesh = any(join.want.facts.is_a(*word_list("is flesh")) and "cook" in join.want.facts.owes for join in joins)
+    flesh = any(join.want.facts.is_any(word_list("is flesh")) and "cook" in join.want.facts.owes for join in joins)
     stewed = flesh and any(join.want.facts.is_of(*wet) for join in joins)
     bound = any_is(joins, "dough", "egg", "flour") or (not stewed and any_is(joins, "creamy"))
     return (stewed or any_is(joins, *word_list("is eaten with a sauce"))) and not bound

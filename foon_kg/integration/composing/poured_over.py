@@ -40,9 +40,9 @@ def is_poured_over(want: Want, slot: Slot | None = None) -> bool:
         return True
     if want.facts.kind in _SPRAYS:
         return False
-    if want.facts.is_a(*_WHEN_FINE) and tables().state(want.asked).fineness >= MINCED:
+    if want.facts.is_any(_WHEN_FINE) and tables().state(want.asked).fineness >= MINCED:
         return True
-    return want.squeezed or want.facts.is_a(*_PARTS) or (slot is not None and "juice" in slot.states)
+    return want.squeezed or want.facts.is_any(_PARTS) or (slot is not None and "juice" in slot.states)
 
 
 def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
@@ -76,7 +76,7 @@ def _is_cold(stage: Stage) -> bool:
 def _has_enough_to_pour(parts: Sequence[Join], beside: Sequence[Stage]) -> bool:
     """Whether ``parts`` are enough for a dressing, and no machine makes the recorded one ``beside`` the dish."""
     runs = [join for join in parts if not _only_seasons(join)]
-    body = any(join.want.facts.is_a(*_BODY) for join in runs)
+    body = any(join.want.facts.is_any(_BODY) for join in runs)
     by_machine = {id(stage) for stage in beside if not _is_cold(stage)}
     own = all(join.slot is not None and id(join.spot.stage) in by_machine for join in runs)
     return len(runs) >= _LEAST and body and not own
@@ -148,7 +148,7 @@ def _takes_foods_beside(stages: Sequence[Stage], joins: Sequence[Join]) -> bool:
 
 def _is_mashed_there(join: Join) -> bool:
     """Whether a food is what the video mashes there, or is of its kind."""
-    soft = join.want.facts.is_a(*word_list("can be mashed"))
+    soft = join.want.facts.is_any(word_list("can be mashed"))
     return soft and join.slot is not None and join.slot.kind == join.want.facts.kind
 
 

@@ -78,7 +78,7 @@ def _is_called_by_a_pot(head: Sequence[str], joins: Sequence[Join]) -> bool:
     in_a_pot = word_list("is cooked in one pot")
     if not head or in_a_pot.isdisjoint(head):
         return False
-    flesh = {word for join in joins if join.want.facts.is_a(*word_list("is flesh")) for word in words(join.want.label)}
+    flesh = {word for join in joins if join.want.facts.is_any(word_list("is flesh")) for word in words(join.want.label)}
     wet = any(join.want.facts.is_of(*word_list("is cooked in for long")) for join in joins)
     return head[-1] in in_a_pot or (wet and head[-1] in flesh)
 
@@ -94,7 +94,7 @@ def _is_in_sauce(joins: Sequence[Join], title_words: Sequence[str], known: Table
 
 def _is_raw_flesh_in_pieces(join: Join, known: Tables) -> bool:
     facts = join.want.facts
-    raw = "cook" in facts.owes and facts.is_a(*word_list("is flesh"))
+    raw = "cook" in facts.owes and facts.is_any(word_list("is flesh"))
     return raw and fineness((join.want.make,), known) > 0
 
 
@@ -106,7 +106,7 @@ def stewed(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
 def _makes_it_smooth(join: Join, name_words: Collection[str]) -> bool:
     """Whether a dish is blended for what it is called by, or because there is such a food in it."""
     names = word_list("is blended where a title names it") & set(name_words)
-    return join.want.facts.is_a(*word_list("is blended when it is soft")) or not names.isdisjoint(
+    return join.want.facts.is_any(word_list("is blended when it is soft")) or not names.isdisjoint(
         words(join.want.label)
     )
 
@@ -124,7 +124,7 @@ def _with_stages(joins: Sequence[Join], works: tuple[Stage, ...]) -> tuple[Line,
     stages = (*works, replace(_SERVED))
     found = []
     for join in joins:
-        late = is_strewn(join) or join.want.facts.is_a(*word_list("floats on top"))
+        late = is_strewn(join) or join.want.facts.is_any(word_list("floats on top"))
         at = len(works) if late else 0
         spot = replace(join.spot, stage=stages[at], side=False, after=stages[at + 1 :])
         found.append(replace(join, spot=spot, slot=None))

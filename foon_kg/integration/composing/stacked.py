@@ -28,7 +28,7 @@ def cooked_apart(
     title, ``known`` the tables. ``grilled``: all is fried together at last, so nothing that needs no cooking is fried
     before.
     """
-    if not any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins):
+    if not any(join.want.facts.is_any(word_list("carries what is stacked")) for join in joins):
         return coated_apart(line, joins)
     body = _CookedApart(joins, name_words, known)
     if not body.main and (body.falls_apart or (grilled and not body.raw and not body.fried)):
@@ -76,7 +76,7 @@ class _CookedApart:
 
     def _lone_flesh(self, mass: Sequence[Join]) -> list[Join]:
         """Return the one piece of raw flesh on the bread; none beside a ``mass``, or where there are several."""
-        flesh = [join for join in self.raw if join.want.facts.is_a(*word_list("is coated"))]
+        flesh = [join for join in self.raw if join.want.facts.is_any(word_list("is coated"))]
         return flesh if len(flesh) == 1 and not mass else []
 
     def _is_fried_in_pieces(self, flesh: Sequence[Join]) -> bool:
@@ -86,7 +86,7 @@ class _CookedApart:
 
     def _falls_apart(self, join: Join) -> bool:
         """Whether flesh is asked in shreds: it is boiled by itself and falls apart then."""
-        flesh = join.want.facts.is_a(*word_list("is flesh")) and "cook" in owed(join.want, self.known)
+        flesh = join.want.facts.is_any(word_list("is flesh")) and "cook" in owed(join.want, self.known)
         return flesh and join.want.make in word_list("only what is cooked is so")
 
     def _is_raw(self, join: Join) -> bool:
@@ -119,7 +119,7 @@ class _CookedApart:
     def _is_coated(self) -> bool:
         """Whether what lies on the bread is a piece of flesh that something coats."""
         dry = any_is(self.joins, *word_list("coats dry"))
-        return dry and not self.shaped and self.main[0].want.facts.is_a(*word_list("is coated"))
+        return dry and not self.shaped and self.main[0].want.facts.is_any(word_list("is coated"))
 
     def _stages(self, mix: Stage, heat: Stage) -> tuple[Stage, ...]:
         """Return the stages at which what lies on the bread is made: shaped if it is a mass, fried on both sides."""
@@ -149,20 +149,20 @@ class _CookedApart:
         if join in self.main:
             return body
         if self.loose:
-            cooked = want.facts.is_a(*word_list("is cooked with what is loose"))
-            return None if want.facts.is_a(*word_list("lies on what is loose")) and not cooked else body
-        if want.facts.is_a(*word_list("is smeared on it")):
+            cooked = want.facts.is_any(word_list("is cooked with what is loose"))
+            return None if want.facts.is_any(word_list("lies on what is loose")) and not cooked else body
+        if want.facts.is_any(word_list("is smeared on it")):
             return None
         if want.facts.is_a("fat"):
             return heat if self._is_first_fat(join) else None
-        return body if want.facts.is_a(*word_list("seasons a body")) or self._is_bound(want) else None
+        return body if want.facts.is_any(word_list("seasons a body")) or self._is_bound(want) else None
 
     def _is_bound(self, want: Want) -> bool:
         """Whether a food is mixed into what is shaped."""
         cut = fineness((want.make, *want.leaf), self.known)
         if not self.shaped:
             return False
-        binds = self._binds(want, cut) and not want.facts.is_a(*word_list("lies on patties"))
+        binds = self._binds(want, cut) and not want.facts.is_any(word_list("lies on patties"))
         return binds or self._is_listed_inside(want, cut)
 
     def _binds(self, want: Want, cut: int) -> bool:
@@ -173,11 +173,11 @@ class _CookedApart:
             return True
         binds = word_list("binds a mass") | word_list("is bound with it")
         binds |= word_list("is cooked and mashed to be shaped")
-        return want.facts.is_a(*binds) and not want.facts.is_a(*word_list("carries what is stacked"))
+        return want.facts.is_any(binds) and not want.facts.is_any(word_list("carries what is stacked"))
 
     def _is_listed_inside(self, want: Want, cut: int) -> bool:
         """Whether a recipe lists what is in small pieces between what patties are made of and what seasons that."""
-        if cut < CHOPPED and not want.facts.is_a(*word_list("is mixed into patties")):
+        if cut < CHOPPED and not want.facts.is_any(word_list("is mixed into patties")):
             return False
         end = min(self._places("carries what is stacked"), default=0)
         last = max((place for place in self._places("seasons a body") if place < end), default=-1)
@@ -189,7 +189,7 @@ class _CookedApart:
         return [place for join in self._are(words_of) for place in join.want.places]
 
     def _are(self, words_of: str) -> list[Join]:
-        return [join for join in self.joins if join.want.facts.is_a(*word_list(words_of))]
+        return [join for join in self.joins if join.want.facts.is_any(word_list(words_of))]
 
     def _is_first_fat(self, join: Join) -> bool:
         fats = [one for one in self.joins if one.want.facts.is_a("fat")]

@@ -28,7 +28,7 @@ def is_soaked_up(joins: Sequence[Join], title_words: Sequence[str]) -> bool:
 
 def _is_raw_and_swells(join: Join) -> bool:
     want = join.want
-    return want.facts.is_a(*word_list("swells")) and "boil" in want.facts.owes and not want.cooked
+    return want.facts.is_any(word_list("swells")) and "boil" in want.facts.owes and not want.cooked
 
 
 def _is_in_one_vessel(title_words: Sequence[str]) -> bool:
@@ -39,8 +39,8 @@ def _is_in_one_vessel(title_words: Sequence[str]) -> bool:
 
 def _are_small(foods: Sequence[Food]) -> bool:
     """Whether of what swells all that is boiled by itself elsewhere is small, and needs little to swell in."""
-    large = [one for one in foods if one.is_a(*word_list("is boiled by itself"))]
-    return bool(large) and all(one.is_a(*word_list("soaks up its liquid")) for one in large)
+    large = [one for one in foods if one.is_any(word_list("is boiled by itself"))]
+    return bool(large) and all(one.is_any(word_list("soaks up its liquid")) for one in large)
 
 
 def is_eaten_with_its_bath(joins: Sequence[Join], title: Sequence[str], dish_type: str) -> bool:
@@ -66,7 +66,7 @@ def boiled_there(joins: Sequence[Join]) -> tuple[Join, ...]:
 def _boils_there(join: Join) -> bool:
     """Whether a food is boiled by itself in other dishes, and is no leftover."""
     left = join.want.asked in word_list("only what was cooked is so")
-    return join.want.facts.is_a(*word_list("is boiled by itself")) and not left
+    return join.want.facts.is_any(word_list("is boiled by itself")) and not left
 
 
 def _is_baked(joins: Sequence[Join]) -> bool:

@@ -59,7 +59,7 @@ def strewn_under(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Join
     It would stick there otherwise. It is no part of the dough that is made of something else, nor of what lies on it.
     ``known`` are the tables.
     """
-    strewn = [join for join in joins if join.want.facts.is_a(*word_list("is strewn under dough"))]
+    strewn = [join for join in joins if join.want.facts.is_any(word_list("is strewn under dough"))]
     tin = _tin(line, known)
     if tin is None or not any_is([join for join in joins if join not in strewn], "dough", "flour"):
         return tuple(joins)
@@ -112,7 +112,7 @@ def _served_with(line: Line, joins: Sequence[Join], beside: Sequence[Join], *, s
 def _is_wedge(want: Want) -> bool:
     """Whether a fruit is called or asked in wedges, of which everyone presses the juice out."""
     wedge = word_list("is cut so by name") & {want.make, *words(want.label)[-1:]}
-    return bool(wedge) and want.facts.is_a(*word_list("is a wedge beside it"))
+    return bool(wedge) and want.facts.is_any(word_list("is a wedge beside it"))
 
 
 def _is_slices_beside(join: Join) -> bool:
@@ -151,7 +151,7 @@ def _is_changed(want: Want, known: Tables) -> bool:
 def _lies_there_boiled(want: Want) -> bool:
     """Whether a food is asked boiled, and lies on what is wet then."""
     boiled = want.make in word_list("is so by boiling")
-    return boiled and want.facts.is_a(*word_list("lies on what is wet when it is boiled"))
+    return boiled and want.facts.is_any(word_list("lies on what is wet when it is boiled"))
 
 
 def _lies_on(facts: Food, others: Sequence[Food], *, wet: bool) -> bool:
@@ -159,28 +159,28 @@ def _lies_on(facts: Food, others: Sequence[Food], *, wet: bool) -> bool:
 
     ``wet`` says that there is a bath among them.
     """
-    tossed = any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
-    if facts.is_a(*word_list("lies on what is cooked")):
+    tossed = any(one.is_any(word_list("is eaten with a sauce")) for one in others)
+    if facts.is_any(word_list("lies on what is cooked")):
         return True
-    if tossed and facts.is_a(*word_list("is strewn on what is tossed")):
+    if tossed and facts.is_any(word_list("is strewn on what is tossed")):
         return True
-    if facts.is_a(*word_list("lies on what is eaten with a spoon")):
+    if facts.is_any(word_list("lies on what is eaten with a spoon")):
         return wet or tossed
-    bound = any(one.is_a(*word_list("binds what is grated over it")) for one in others)
-    return wet and not bound and facts.is_a(*word_list("is grated over it"))
+    bound = any(one.is_any(word_list("binds what is grated over it")) for one in others)
+    return wet and not bound and facts.is_any(word_list("is grated over it"))
 
 
 def _is_eaten_beside(want: Want, plan: Plan) -> bool:
     """Whether a food is eaten beside a stew that is not spooned, as it is asked cooked, or needs no cooking."""
     done = want.cooked or {"boil", "cook"}.isdisjoint(want.facts.owes)
-    return done and not plan.spooned and want.facts.is_a(*word_list("is eaten beside what is stewed"))
+    return done and not plan.spooned and want.facts.is_any(word_list("is eaten beside what is stewed"))
 
 
 def _floats(facts: Food, others: Sequence[Food]) -> bool:
     """Whether a food floats on what is boiled: bread, what melts on that, and what nothing else thickens."""
     floats = word_list("floats on top")
-    if facts.is_a(*floats) or (facts.is_a(*_MELTS) and any(one.is_a(*floats) for one in others)):
+    if facts.is_any(floats) or (facts.is_any(_MELTS) and any(one.is_any(floats) for one in others)):
         return True
     thick = any(one.is_a("flour", *_THICKENS) for one in others)
-    melts_in = facts.is_a(*word_list("melts into what is boiled"))
-    return not thick and not melts_in and facts.is_a(*word_list("is spooned onto it"))
+    melts_in = facts.is_any(word_list("melts into what is boiled"))
+    return not thick and not melts_in and facts.is_any(word_list("is spooned onto it"))

@@ -53,7 +53,7 @@ class Addition:
         if facts is None:
             return (True, True, False, False)
         first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"), *word_list("boils away"))
-        return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts), facts.is_a(*_CURDLES))
+        return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts), facts.is_any(_CURDLES))
 
     @property
     def is_solid(self) -> bool:
@@ -127,7 +127,7 @@ def phase_of(facts: Food) -> str:
         for name in _MOST_TELLING:
             if own in word_list(name):
                 return name
-    return next((name for name in _MOST_TELLING if facts.is_a(*word_list(name))), WET)
+    return next((name for name in _MOST_TELLING if facts.is_any(word_list(name))), WET)
 
 
 def phase_in(join: Join, medium: Medium, *, apart: bool) -> str:
@@ -140,11 +140,11 @@ def phase_in(join: Join, medium: Medium, *, apart: bool) -> str:
     if not medium.bath:
         return phase_suited(facts, medium)
     done = join.want.cooked or join.want.asked in word_list("is so by dry heat")
-    done = done or (apart and facts.is_a(*word_list("is boiled by itself")))
-    if done and facts.is_a(*word_list("is stirred in last when it is done")):
+    done = done or (apart and facts.is_any(word_list("is boiled by itself")))
+    if done and facts.is_any(word_list("is stirred in last when it is done")):
         return LAST
     uncut = says(words(join.want.label), "is no work for a knife")
-    hard = uncut and facts.is_a(*word_list("is flesh"))
+    hard = uncut and facts.is_any(word_list("is flesh"))
     return WET if hard and phase_of(facts) in {SOON, LAST} else phase_suited(facts, medium)
 
 
@@ -154,11 +154,11 @@ def phase_suited(facts: Food, medium: Medium) -> str:
     if phase in {FRIED, BINDS} and not medium.fat:
         return WET
     if medium.bath:
-        toasted = phase == WET and medium.fat and facts.is_a(*word_list("is toasted"))
+        toasted = phase == WET and medium.fat and facts.is_any(word_list("is toasted"))
         return BINDS if toasted else phase
-    if facts.is_a(*word_list("is boiled by itself")):
+    if facts.is_any(word_list("is boiled by itself")):
         return WET  # it is done already
-    return FRIED if phase == WET and facts.is_a(*word_list("takes long in the pan")) else phase
+    return FRIED if phase == WET and facts.is_any(word_list("takes long in the pan")) else phase
 
 
 def phase_together(foods: Sequence[Food], *, bath: bool) -> str:
@@ -166,7 +166,7 @@ def phase_together(foods: Sequence[Food], *, bath: bool) -> str:
 
     ``bath``: there is a liquid that they cook in.
     """
-    if any(one.is_a(*word_list("is flesh")) for one in foods):
+    if any(one.is_any(word_list("is flesh")) for one in foods):
         return FRIED
     phases = {phase_suited(one, Medium(fat=True, bath=bath)) for one in foods}
     order = (WET, SOON, LAST) if bath else (SOON, WET, LAST)
@@ -228,7 +228,7 @@ def untoasted(additions: Sequence[Addition]) -> list[Addition]:
     if not all(one.is_water for one in additions if one.phase == WET):
         return list(additions)
     toasted = word_list("is toasted")
-    return [replace(c, phase=WET) if c.facts is not None and c.facts.is_a(*toasted) else c for c in additions]
+    return [replace(c, phase=WET) if c.facts is not None and c.facts.is_any(toasted) else c for c in additions]
 
 
 def finishing_fat_last(additions: Sequence[Addition]) -> list[Addition]:
@@ -237,7 +237,7 @@ def finishing_fat_last(additions: Sequence[Addition]) -> list[Addition]:
     last = [
         addition
         for addition in fats
-        if addition.facts is not None and addition.facts.is_a(*word_list("is fat for its taste"))
+        if addition.facts is not None and addition.facts.is_any(word_list("is fat for its taste"))
     ]
     if len(last) == len(fats):
         return list(additions)
@@ -258,7 +258,7 @@ def thickens(parts: Sequence[Sequence[Addition]]) -> bool:
 
 
 def _is_stirred_on_flour(facts: Food | None) -> bool:
-    return facts is not None and (facts.is_a(*word_list("is stirred on flour")) or _seasons(facts))
+    return facts is not None and (facts.is_any(word_list("is stirred on flour")) or _seasons(facts))
 
 
 def is_strewn(join: Join) -> bool:
@@ -276,8 +276,8 @@ def is_dry_binder(joins: Sequence[Join]) -> bool:
 
 def needs_pan(facts: Food) -> bool:
     """Return whether a food of these ``facts`` is not done when eggs set around it."""
-    raw = facts.is_a(*word_list("is flesh")) and not facts.is_a("ready")
-    return raw or phase_of(facts) == FRIED or facts.is_a(*word_list("takes long in the pan"))
+    raw = facts.is_any(word_list("is flesh")) and not facts.is_a("ready")
+    return raw or phase_of(facts) == FRIED or facts.is_any(word_list("takes long in the pan"))
 
 
 def makes_a_sauce(joins: Sequence[Join]) -> bool:
@@ -290,7 +290,7 @@ def makes_a_sauce(joins: Sequence[Join]) -> bool:
 
 def is_bath(facts: Food) -> bool:
     """Return whether other foods cook in a food of these ``facts``."""
-    return facts.is_of(*_BATHS) and not facts.is_a(*word_list("is no bath"))
+    return facts.is_of(*_BATHS) and not facts.is_any(word_list("is no bath"))
 
 
 def unbeaten(foods: Sequence[Join], *, sets: bool) -> list[Join]:
@@ -310,13 +310,13 @@ def unbeaten(foods: Sequence[Join], *, sets: bool) -> list[Join]:
 
 def _is_bath_for_eggs(facts: Food) -> bool:
     """Whether eggs are stirred into a food that boils; they are beaten with a little milk before they are fried."""
-    return is_bath(facts) and not facts.is_a(*word_list("is beaten with eggs"))
+    return is_bath(facts) and not facts.is_any(word_list("is beaten with eggs"))
 
 
 def _seasons(facts: Food) -> bool:
     """Whether a food only seasons what is cooked: cheese and bacon are salty, yet more than that."""
     more = facts.is_a("ready", *word_list("is cooked in phases")) or is_bath(facts)
-    return facts.is_a(*word_list("only flavours")) and not more
+    return facts.is_any(word_list("only flavours")) and not more
 
 
 def _done_like(stage: Stage, pattern: Stage) -> Stage:

@@ -71,7 +71,7 @@ def _is_baked_unkneaded(spots: Sequence[Spot]) -> bool:
 
 def _most_of(foods: Mapping[Spot, Sequence[Food]], *traits: str) -> Spot | None:
     """Return the first stage at which most foods of such ``traits`` join; water is none of what runs."""
-    counts = {spot: sum(one.is_a(*traits) and not one.is_a("water") for one in there) for spot, there in foods.items()}
+    counts = {spot: sum(one.is_any(traits) and not one.is_a("water") for one in there) for spot, there in foods.items()}
     best = max(counts, key=lambda spot: counts[spot])
     return best if counts[best] else None
 
@@ -84,19 +84,19 @@ def is_thin(batter: Batter) -> bool:
 def is_of_batter(wants: Iterable[Want]) -> bool:
     """Return whether ``wants`` make a batter, or a dough that nobody kneads: they set in the oven, without yeast."""
     facts = [want.facts for want in wants]
-    makes = any(one.is_a(*word_list("makes a batter")) for one in facts)
-    return makes and not any(one.is_a(*word_list("is no batter")) for one in facts)
+    makes = any(one.is_any(word_list("makes a batter")) for one in facts)
+    return makes and not any(one.is_any(word_list("is no batter")) for one in facts)
 
 
 def is_of_dough(wants: Sequence[Want]) -> bool:
     """Return whether ``wants`` make a dough that rises before it is baked."""
     facts = [want.facts for want in wants]
-    return any(one.is_a("flour") for one in facts) and any(one.is_a(*word_list("makes dough rise")) for one in facts)
+    return any(one.is_a("flour") for one in facts) and any(one.is_any(word_list("makes dough rise")) for one in facts)
 
 
 def binds(foods: Iterable[str], known: Tables) -> bool:
     """Return whether a mixture of foods sets when it is baked: it has flour, meal or dough by the tables ``known``."""
-    return any(known.foods.food(food).is_a(*word_list("sets when it is baked")) for food in foods)
+    return any(known.foods.food(food).is_any(word_list("sets when it is baked")) for food in foods)
 
 
 def as_batter(batter: Batter, joins: Sequence[Join], known: Tables) -> list[Join]:
@@ -130,10 +130,10 @@ def _spot(batter: Batter, join: Join, known: Tables) -> Spot:
     early = join.slot is not None and join.spot is not batter.dry and join.spot.path[:1] <= batter.whole.path[:1]
     parts = (
         (want.facts.is_a("fat"), batter.fat),
-        (want.facts.is_a(*_SWEET), batter.sweet),
+        (want.facts.is_any(_SWEET), batter.sweet),
         (_runs(want, known) or want.facts.is_a("egg"), join.spot if early else batter.wet),
-        (want.facts.is_a(*_DRY), batter.dry),
-        (want.facts.is_a(*_PIECES), batter.last),
+        (want.facts.is_any(_DRY), batter.dry),
+        (want.facts.is_any(_PIECES), batter.last),
     )
     return next((spot for holds, spot in parts if holds), join.spot)
 

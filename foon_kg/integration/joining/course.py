@@ -89,9 +89,9 @@ class Course:
                 place: float = slots.index(join.slot) if join.slot in slots else -0.5  # another stage had it: early
             elif facts.is_a("fat") and heats:
                 place = -1
-            elif "dry" in stage.does and facts.is_a(*word_list("melts on top")):
+            elif "dry" in stage.does and facts.is_any(word_list("melts on top")):
                 place = len(slots) + 0.8  # nothing is poured over what browns
-            elif "dry" in stage.does and facts.is_a(*word_list("is browned on top")):
+            elif "dry" in stage.does and facts.is_any(word_list("is browned on top")):
                 place = len(slots) + 0.9
             elif facts.is_a("liquid", "creamy"):
                 place = len(slots) + 0.5
@@ -149,7 +149,7 @@ class Course:
 
         So does what is cooked beside the dish in the liquid that is asked for it.
         """
-        if not join.want.facts.is_a(*word_list("swells")) or not (self.plan.one_pot or join.spot.side):
+        if not join.want.facts.is_any(word_list("swells")) or not (self.plan.one_pot or join.spot.side):
             return False
         there = {id(stage) for stage in (join.spot.stage, *(join.spot.after if self.plan.one_pot else ()))}
         liquid = word_list("swells what is dry")

@@ -32,27 +32,27 @@ class Joiner:
     """
 
     def __init__(self, want: Want, known: Tables) -> None:
-        is_a, facts = want.facts.is_a, want.facts
+        facts, is_a, is_any = want.facts, want.facts.is_a, want.facts.is_any
         self.want = want
         self.name = singular(want.label)
         self.fits: dict[tuple[str, str], float] = {}
         self.needs: dict[str, frozenset[str]] = {}
         self.joined: dict[tuple[Layout, bool], Join] = {}
-        self.main = is_a(*MAIN)
+        self.main = is_any(MAIN)
         self.runs = is_a("liquid", "water", "creamy", "frozen")
         self.fat = is_a("fat")
         self.topping = is_a("topping")
         self.tops = is_a("topping", "herb")
-        self.floats = is_a(*word_list("floats on top"))
-        self.late = is_a(*_LATE)
-        self.worked = is_a(*_WORKED_IN) and not is_a("herb")
-        self.binds = is_a(*_BOUND) and not self.fat
-        self.beaten = is_a(*word_list("is beaten with eggs")) and not self.fat
-        self.served = is_a(*_SERVED_WITH)
+        self.floats = is_any(word_list("floats on top"))
+        self.late = is_any(_LATE)
+        self.worked = is_any(_WORKED_IN) and not is_a("herb")
+        self.binds = is_any(_BOUND) and not self.fat
+        self.beaten = is_any(word_list("is beaten with eggs")) and not self.fat
+        self.served = is_any(_SERVED_WITH)
         self.ready_made = is_a("made", "dough", "ready")
         self.due = not owed(want, known).isdisjoint({"cook", "boil"})
-        self.slow = self.due and self.main and is_a(*_FLESH)
-        self.only_boiled = not is_a(*_BATHED) and "boil" not in facts.owes
+        self.slow = self.due and self.main and is_any(_FLESH)
+        self.only_boiled = not is_any(_BATHED) and "boil" not in facts.owes
         self.fresh = (
             facts.sold_as != "dried"
             and not want.cooked

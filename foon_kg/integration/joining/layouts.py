@@ -154,7 +154,7 @@ def _places(spots: Sequence[Spot], dish_type: str, known: Tables) -> Iterator[Pl
         for slot in spot.stage.slots:
             food = known.foods.food(slot.food)
             met = frozenset(need for need in needs if is_need(need, food))
-            yield Place(slot, spot, met, bool(met) and food.is_a(*MAIN))
+            yield Place(slot, spot, met, bool(met) and food.is_any(MAIN))
 
 
 def _foods_at(spot: Spot, known: Tables) -> list[Food]:

@@ -211,7 +211,7 @@ class _Phaser:
 
     def _has_fat(self, within: Sequence[Join]) -> bool:
         """Whether there is fat to fry in: among what comes together, or at hand in any kitchen."""
-        fats = [join for join in self.plan.joins if join.want.facts.is_a(*word_list("gives fat"))]
+        fats = [join for join in self.plan.joins if join.want.facts.is_any(word_list("gives fat"))]
         return any(join in within or join.want.facts.is_a("stock") for join in fats)
 
     def _additions(self, vessel: VesselOverHeat, adds: Mapping[int, Line], medium: Medium) -> list[Addition]:
@@ -348,7 +348,7 @@ def _as_phase(pattern: Stage, part: Sequence[Addition], end: Stage | None, *, ba
 
 def _has_to_boil_here(want: Want) -> bool:
     """Whether a food is not done unless it is boiled, and nobody boils such by itself."""
-    boiled_apart = want.cooked or want.facts.is_a(*word_list("is boiled by itself"))
+    boiled_apart = want.cooked or want.facts.is_any(word_list("is boiled by itself"))
     return "boil" in want.facts.owes and not boiled_apart
 
 

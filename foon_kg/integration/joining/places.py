@@ -59,7 +59,7 @@ MOST_JOINED = 256
 def _lies_on(layout: Layout, want: Want, best: Join, known: Tables) -> bool:
     """Whether a food lies on patties though the video mixes it into them."""
     fine = known.state(want.make).fineness
-    return best.spot is layout.bound and fine < CHOPPED and want.facts.is_a(*word_list("lies on patties"))
+    return best.spot is layout.bound and fine < CHOPPED and want.facts.is_any(word_list("lies on patties"))
 
 
 def _in_the_pan(layout: Layout, join: Join) -> Join:
@@ -171,8 +171,8 @@ class Matcher:
         if not any("heat" in spot.stage.does for spot in layout.spots) and only_carries(layout.spots[-1].stage):
             return True
         uncooked = {"cook", "boil"}.isdisjoint(owed(want, self.known, Level.FATAL)) and not want.cooked
-        binds = want.facts.is_a(*word_list("binds patties"))
-        return uncooked and not binds and want.facts.is_a(*_STACKED) and only_carries(layout.spots[-1].stage)
+        binds = want.facts.is_any(word_list("binds patties"))
+        return uncooked and not binds and want.facts.is_any(_STACKED) and only_carries(layout.spots[-1].stage)
 
     def _at_the_end(self, layout: Layout, food: Joiner, best: Join | None) -> Join | None:
         """Return where in a hot dish a food joins that loses by cooking: when the dish is done."""

@@ -95,6 +95,6 @@ def where_it_is_stacked(layout: Layout, joins: Sequence[Join]) -> list[Join]:
     """
     last = layout.spots[-1]
     cold = [join for join in joins if join.spot is not last and not join.spot.heats_later]
-    if not only_carries(last.stage) or any(not join.want.facts.is_a(*_SLICES) for join in cold):
+    if not only_carries(last.stage) or any(not join.want.facts.is_any(_SLICES) for join in cold):
         return list(joins)
     return [replace(join, spot=last) if join in cold else join for join in joins]

@@ -110,7 +110,7 @@ class Join:
 
 def any_is(joins: Iterable[Join], *kinds: str) -> bool:
     """Return whether one of the foods of ``joins`` is of one of ``kinds``, has such a trait, or is called so."""
-    return any(join.want.facts.is_a(*kinds) for join in joins)
+    return any(join.want.facts.is_any(kinds) for join in joins)
 
 
 def only_carries(stage: Stage) -> bool:

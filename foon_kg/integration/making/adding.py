@@ -74,7 +74,7 @@ class Adding:
                 self.placing.grease(vessel, one)
             self.carry.transfer(one, vessel, stage)
             return
-        if on_stove and one.want.facts.is_a(*word_list("comes when it boils")):
+        if on_stove and one.want.facts.is_any(word_list("comes when it boils")):
             self.carry.water.boil(vessel)
         self.alone.boil_water_first(one)
         smooth = self.smoothing.made(one, vessel)

@@ -51,7 +51,7 @@ class Alone:
     def boil_water_first(self, join: Join) -> None:
         """Boil water that is asked boiling and joins what nobody heats any more."""
         want, ready = join.want, self.ready[join.want.number]
-        if not want.facts.is_a("water") or want.facts.is_a(*word_list("is frozen water")):
+        if not want.facts.is_a("water") or want.facts.is_any(word_list("is frozen water")):
             return
         if want.asked not in word_list("is boiled water"):
             return
@@ -63,7 +63,7 @@ class Alone:
         self.carry.water.boil(pot)
         self.bench.heat_off(pot)
         beside = [one.want.facts for one in self.plan.joins if one.spot.stage is join.spot.stage]
-        if any(facts.is_a(*word_list("makes dough rise")) for facts in beside):
+        if any(facts.is_any(word_list("makes dough rise")) for facts in beside):
             self.bench.let_cool(pot, ready.stuff, want.names)  # it would kill what makes it rise
 
     # --- beaten ---
@@ -182,8 +182,8 @@ class Alone:
         """Whether a food is boiled for a cold dish, and is cooled under water for it."""
         cold = (self.plan.cold or self.plan.in_pieces) and not join.spot.heats_later
         facts = join.want.facts
-        soaks = facts.is_a(*word_list("is not cooled under water"))
-        return cold and not soaks and facts.is_a(*word_list("is cooled under water"))
+        soaks = facts.is_any(word_list("is not cooled under water"))
+        return cold and not soaks and facts.is_any(word_list("is cooled under water"))
 
     def _own_water(self, want: Want) -> Ready | None:
         """Take the water that a recipe for a cold dish asks for grain: nobody pours it over what is done."""
@@ -205,7 +205,7 @@ class Alone:
         else:
             self.carry.bring(own, pot, None)
         device = bench.place(pot, "stove", "on")
-        if want.facts.is_a(*word_list("comes when it boils")):
+        if want.facts.is_any(word_list("comes when it boils")):
             self.carry.water.boil(pot)
         bench.switch(pot, device, on=True)
         self.carry.bring(ready, pot, None)
@@ -265,7 +265,7 @@ class Alone:
 
         bench.emit(attested, [pan, (device, pan), *pan.contents], change, [pan, *pan.contents])
         bench.switch(pan, device, on=False)
-        if want.facts.is_a(*word_list("is fried until its fat runs")):
+        if want.facts.is_any(word_list("is fried until its fat runs")):
             self._leave_its_fat(ready, pan)
 
     def _leave_its_fat(self, ready: Ready, pan: Vessel) -> None:
@@ -289,7 +289,7 @@ class Alone:
     def _is_stirred(self, ready: Ready, method: Sequence[str]) -> bool:
         """Whether a food is in pieces, which would burn where they lie."""
         pieces = any(1 < self.known.state(state).fineness < POWDER for state in ready.stuff.states)
-        loose = pieces or ready.want.facts.is_a(*word_list("lies loose"))
+        loose = pieces or ready.want.facts.is_any(word_list("lies loose"))
         return loose and set(method) == {"cook"} and not self.precooking.pours(ready.want)
 
     def _melts(self, stuff: Stuff) -> bool:

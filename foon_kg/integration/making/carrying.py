@@ -229,7 +229,7 @@ class Carrier:
     def _is_filled(self, target: Vessel) -> bool:
         """Whether what lies in or on a vessel is filled: all that lies flat, and what is hollow."""
         foods = (self.known.foods.food(stuff.label) for stuff in target.contents)
-        hollow = any(food.is_a(*word_list("is filled with a spoon")) for food in foods)
+        hollow = any(food.is_any(word_list("is filled with a spoon")) for food in foods)
         return bool(target.contents) and (hollow or is_flat(target.label))
 
     def _by_the_spoon(self) -> list[Way]:

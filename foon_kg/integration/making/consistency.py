@@ -52,12 +52,12 @@ def _is_a_sauce(foods: Sequence[Food]) -> bool:
     if not any(food.is_a("cooking liquid") for food in foods):
         return False
     parts = word_list("is in what only gets thick")
-    return all(food.is_a(*parts) and not food.is_a("dough", "egg", "leaven") for food in foods)
+    return all(food.is_any(parts) and not food.is_a("dough", "egg", "leaven") for food in foods)
 
 
 def _is_melted(stuff: Stuff, foods: Sequence[Food]) -> bool:
     """Whether a mixture is hot fat with what only seasons it."""
-    seasoned = all(food.is_a(*word_list("runs with melted fat")) for food in foods)
+    seasoned = all(food.is_any(word_list("runs with melted fat")) for food in foods)
     return "cooked" in stuff.states and seasoned and any(food.is_a("fat") for food in foods)
 
 
@@ -69,7 +69,7 @@ def _has_set(stuff: Stuff, foods: Sequence[Food], known: Tables) -> bool:
 
 def _has_liquid_left(foods: Sequence[Food]) -> bool:
     """Whether foods that were cooked have liquid around them: fat that clings to flesh is no sauce."""
-    fried = any(food.is_a(*word_list("is coated")) for food in foods)
+    fried = any(food.is_any(word_list("is coated")) for food in foods)
     return any(food.is_a("liquid", "creamy") and not (fried and food.is_a("fat")) for food in foods)
 
 
@@ -114,19 +114,19 @@ def is_uncut(stuff: Stuff, known: Tables) -> bool:
     if _is_breaded(stuff, known) or (not stuff.mixed and {"baked", "whole"} <= set(stuff.states)):
         return True
     facts = known.foods.food(stuff.label)
-    flesh = facts.is_a(*word_list("is coated")) and not facts.is_a(*word_list("patties are made of"))
+    flesh = facts.is_any(word_list("is coated")) and not facts.is_any(word_list("patties are made of"))
     return flesh and fineness(stuff.states, known) == 0
 
 
 def _is_cut_in_liquid(foods: Sequence[Food]) -> bool:
     """Whether foods are in a liquid that stays so, or all flesh of them comes in mouthfuls."""
-    flesh = (food for food in foods if food.is_a(*word_list("is coated")))
-    return _is_in_liquid(foods) or all(food.is_a(*word_list("is a mouthful")) for food in flesh)
+    flesh = (food for food in foods if food.is_any(word_list("is coated")))
+    return _is_in_liquid(foods) or all(food.is_any(word_list("is a mouthful")) for food in flesh)
 
 
 def _is_breaded(stuff: Stuff, known: Tables) -> bool:
     """Whether a mixture is one food that comes in portions, with what it was turned in."""
-    flesh = {name for name in stuff.foods if known.foods.food(name).is_a(*word_list("is coated"))}
+    flesh = {name for name in stuff.foods if known.foods.food(name).is_any(word_list("is coated"))}
     coats = [known.foods.food(name) for name in stuff.foods if name not in flesh]
     portion = len(flesh) == 1 and says(words(*flesh), "is a portion")
     return stuff.mixed and portion and _are_dry_coats(coats)
@@ -134,18 +134,18 @@ def _is_breaded(stuff: Stuff, known: Tables) -> bool:
 
 def _are_dry_coats(foods: Sequence[Food]) -> bool:
     """Whether foods are what another one is turned in, something dry among them."""
-    return all(food.is_a(*_COATING) for food in foods) and any(food.is_a(*_DRY) for food in foods)
+    return all(food.is_any(_COATING) for food in foods) and any(food.is_any(_DRY) for food in foods)
 
 
 def _is_loose(stuff: Stuff, known: Tables) -> bool:
     """Whether a mixture is of dry foods, or of what stays loose when it is cooked, that nothing holds together."""
     foods = [known.foods.food(food) for food in stuff.foods]
     shaped = not SOLID.isdisjoint(stuff.states)
-    if not shaped and any(food.is_a(*word_list("stays loose")) for food in foods):
+    if not shaped and any(food.is_any(word_list("stays loose")) for food in foods):
         return True
     if is_heated(stuff.states, known):
         return False
-    if not shaped and not any(food.is_a(*_HOLDS) for food in foods):
+    if not shaped and not any(food.is_any(_HOLDS) for food in foods):
         return not {form_of(known, food.name, ()) for food in foods}.isdisjoint({"pieces", "whole"})
     return _is_powder(stuff, foods, known)
 
@@ -162,7 +162,7 @@ def is_laid(known: Tables, label: str, states: tuple[str, ...], *, flat: bool) -
 
     What lies in one piece does, and slices onto what is ``flat``.
     """
-    if known.foods.food(label, states).is_a(*word_list("carries what is stacked")):
+    if known.foods.food(label, states).is_any(word_list("carries what is stacked")):
         return True
     if says(states, "lies in one piece"):
         return True
@@ -179,5 +179,5 @@ def is_poured(known: Tables, label: str, states: tuple[str, ...]) -> bool:
     form = form_of(known, label, states)
     if form in {"liquid", "powder"} or fineness(states, known) >= CHOPPED:
         return True
-    loose = known.foods.food(label, states).is_a(*word_list("lies loose"))
+    loose = known.foods.food(label, states).is_any(word_list("lies loose"))
     return loose and not says(states, "lies in one piece") and form in {"pieces", "whole"}

@@ -69,7 +69,7 @@ class Cooking:
     def make(self) -> Stuff:
         """Make the dish and return it; raises :class:`RefusedError` where a step cannot be done."""
         flesh = word_list("is flesh")
-        for join in sorted(self.course.in_order(), key=lambda one: one.want.facts.is_a(*flesh)):
+        for join in sorted(self.course.in_order(), key=lambda one: one.want.facts.is_any(flesh)):
             self.readying.prepare(join)  # raw meat last: nothing else comes under its knife
         self.bench.phase = "heat"
         for join in self.course.in_order():
@@ -90,7 +90,7 @@ class Cooking:
         if not method:
             return
         facts, number = join.want.facts, join.want.number
-        if self.plan.stacked and facts.is_a(*word_list("carries what is stacked")):
+        if self.plan.stacked and facts.is_any(word_list("carries what is stacked")):
             self.base_late[number] = method
         elif self._waits_for_the_rest(join):
             self.boiled_late[number] = method
@@ -100,9 +100,9 @@ class Cooking:
     def _waits_for_the_rest(self, join: Join) -> bool:
         """Whether a food is boiled by itself when its sauce is ready, or what it is served beside."""
         stage, facts = join.spot.stage, join.want.facts
-        if facts.is_a(*word_list("is boiled by itself")):
+        if facts.is_any(word_list("is boiled by itself")):
             return self.stages.is_boiled_late(stage)
-        beside = facts.is_a(*word_list("is boiled when the rest is ready"))
+        beside = facts.is_any(word_list("is boiled when the rest is ready"))
         return beside and self.stages.is_served_beside(stage)
 
     # --- lines ---

@@ -50,14 +50,14 @@ class Dipping(Hands):
         return list(filter(self._is_dipped, incoming.lines)), foods
 
     def _is_coat(self, facts: Food) -> bool:
-        return facts.is_a(*_COATS)
+        return facts.is_any(_COATS)
 
     def _is_dipped(self, line: Vessel) -> bool:
         """Whether a line makes what is dipped, and not what it is dipped into: it was given a form, or is no batter."""
         states = {state for stuff in line.contents for state in stuff.states}
         if says(states, "keeps its shape"):
             return True
-        return any(self.known.foods.food(food).is_a(*word_list("is coated")) for food in foods_of(line))
+        return any(self.known.foods.food(food).is_any(word_list("is coated")) for food in foods_of(line))
 
     def _coat(self, stage: Stage, joins: Sequence[Join], lines: Sequence[Vessel]) -> Vessel:
         """Return a bowl with the coat in it, stirred where it is of several foods."""
@@ -81,7 +81,7 @@ class Dipping(Hands):
 
     def _is_unbeaten(self, stuff: Stuff) -> bool:
         """Whether it ran out of its shell, and nobody stirred it."""
-        opened = self.known.foods.food(stuff.label).is_a(*word_list("runs out of its shell"))
+        opened = self.known.foods.food(stuff.label).is_any(word_list("runs out of its shell"))
         return opened and not stuff.mixed and not says(stuff.states, "is stirred already")
 
     def _laid_out(self, stage: Stage, vessels: Sequence[Vessel], dipped: Sequence[Join]) -> Vessel:

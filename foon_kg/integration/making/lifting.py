@@ -41,7 +41,7 @@ class Lifting:
         return left
 
     def _is_lifted(self, want: Want) -> bool:
-        return want.facts.is_a(*word_list("is flesh")) and not want.facts.is_a(*word_list("stays in its sauce"))
+        return want.facts.is_any(word_list("is flesh")) and not want.facts.is_any(word_list("stays in its sauce"))
 
     def _lift(self, stuff: Stuff, wants: Sequence[Want], target: Vessel) -> None:
         """Lift ``wants`` out of a thing; the thing itself, with what clings to it, where it is nothing else."""
@@ -62,7 +62,7 @@ class Lifting:
     def _clings(self, stuff: Stuff) -> bool:
         """Whether a thing lies on flesh and is lifted with it: what that was rubbed, brushed or strewn with."""
         foods = map(self.known.foods.food, stuff.foods)
-        return all(food.is_a(*word_list("clings to what is lifted")) for food in foods)
+        return all(food.is_any(word_list("clings to what is lifted")) for food in foods)
 
 
 def lifts_later(later: Sequence[Stage]) -> bool:

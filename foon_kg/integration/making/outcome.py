@@ -77,7 +77,7 @@ class Outcome:
 
     def _gives_its_name(self, want: Want) -> bool:
         """Whether a food is boiled by itself, and is what the dish is called after."""
-        return want.facts.is_a(*word_list("is boiled by itself")) and self.is_named_after(want.facts)
+        return want.facts.is_any(word_list("is boiled by itself")) and self.is_named_after(want.facts)
 
     def is_named_after(self, facts: Food) -> bool:
         """Return whether a food of these ``facts`` is what makes the dish what it is called: rice in a dish of rice."""
@@ -88,7 +88,7 @@ class Outcome:
         """Return what the one food is called that lies in a vessel in what coats it, ``""`` where there are several."""
         coats = (*word_list("coats dry"), *word_list("coats wet"), *word_list("clings to what is coated"))
         facts = self.known.foods.food
-        found = {s.label for s in vessel.contents if not all(facts(food).is_a(*coats) for food in s.foods)}
+        found = {s.label for s in vessel.contents if not all(facts(food).is_any(coats) for food in s.foods)}
         return found.pop() if len(found) == 1 else ""
 
     # --- in which states it is ---

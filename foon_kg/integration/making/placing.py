@@ -132,7 +132,7 @@ class Placing(Hands):
     def _lies_under(self, join: Join) -> bool:
         """Whether a food comes into a vessel before what is cooked in it: fat, and what lies under dough."""
         under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
-        return join.layer < 0 or join.want.facts.is_a(*under)
+        return join.layer < 0 or join.want.facts.is_any(under)
 
     def _first_vessel(self, stage: Stage, label: str, incoming: Incoming) -> Vessel:
         """Return a vessel for what begins: that of a line or of a food that is in such a one, else a fresh one."""

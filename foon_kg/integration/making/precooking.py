@@ -64,7 +64,7 @@ class Precooking:
 
     def is_asked_done(self, want: Want) -> bool:
         """Return whether ``want`` is meat or fish that was cooked before: then it is boiled by itself, and cut."""
-        return want.make in word_list("begins cooked") and want.facts.is_a(*word_list("is flesh"))
+        return want.make in word_list("begins cooked") and want.facts.is_any(word_list("is flesh"))
 
     def is_fried_open(self, want: Want) -> bool:
         """Return whether ``want``, which runs out of its shell, is asked done as only a pan does it."""
@@ -83,7 +83,7 @@ class Precooking:
     def _is_thick(self, want: Want) -> bool:
         """Whether a food is asked in such large pieces that it takes very long in a pan."""
         halved = bool(want.make) and self.known.state(want.make).fine == 1
-        return halved and want.facts.is_a(*word_list("takes long in the pan"))
+        return halved and want.facts.is_any(word_list("takes long in the pan"))
 
     # --- cooked otherwise than its video or its kind says ---
 
@@ -118,10 +118,10 @@ class Precooking:
     def _takes_longer(self, want: Want) -> bool:
         """Whether pulses are asked beside grain that is done long before them; in a soup they have all the time."""
         slow = word_list("takes longer than the rest")
-        if self.plan.spooned or not want.facts.is_a(*slow) or "boil" not in want.facts.owes:
+        if self.plan.spooned or not want.facts.is_any(slow) or "boil" not in want.facts.owes:
             return False
-        others = (join.want.facts for join in self.plan.joins if not join.want.facts.is_a(*slow))
-        return any(facts.is_a(*word_list("is toasted")) for facts in others)
+        others = (join.want.facts for join in self.plan.joins if not join.want.facts.is_any(slow))
+        return any(facts.is_any(word_list("is toasted")) for facts in others)
 
     def _is_fried_first(self, join: Join) -> bool:
         return self._is_fried_whole(join) or self._is_fried_before_it_is_mixed(join)
@@ -135,10 +135,10 @@ class Precooking:
         """Whether a food is stirred into a batter or dough, where it would stay limp and run with fat."""
         stage = join.spot.stage
         cold = not stage.does.isdisjoint(MIXES) and not stage.heats
-        if not cold or not join.want.facts.is_a(*word_list("is cut once it is fried alone")):
+        if not cold or not join.want.facts.is_any(word_list("is cut once it is fried alone")):
             return False
         baked = _is_done_there(join.spot, {"dry"}) and not _is_done_there(join.spot, {"shape"})
-        return baked and any(one.want.facts.is_a(*word_list("makes a batter")) for one in self.plan.joins)
+        return baked and any(one.want.facts.is_any(word_list("makes a batter")) for one in self.plan.joins)
 
     # --- where the dish cooks it ---
 
@@ -180,7 +180,7 @@ class Precooking:
         bath = [stage for stage in heats if "dry" not in stage.does]
         if "boil" not in due or not bath or not self._may_boil(join) or not self.course.has_liquid(bath):
             return False
-        by_itself = join.want.facts.is_a(*word_list("is boiled by itself")) and not self.plan.one_pot
+        by_itself = join.want.facts.is_any(word_list("is boiled by itself")) and not self.plan.one_pot
         return not by_itself or any(map(_is_drained, heats))
 
     def _is_asked_boiled(self, want: Want, heats: Sequence[Stage]) -> bool:
@@ -197,7 +197,7 @@ class Precooking:
     def _gets_done_there(self, join: Join, due: Collection[str]) -> bool:
         """Whether heat where a food joins, or later, makes it as it is asked."""
         want = join.want
-        if self.plan.laid and want.facts.is_a(*word_list("is flesh")):
+        if self.plan.laid and want.facts.is_any(word_list("is flesh")):
             return False  # it would be raw when the dough is done
         if want.make in word_list("is so by dry heat") and join.spot.stage.does & MIXES:
             return False  # nothing gets brown inside what is wet
@@ -231,7 +231,7 @@ class Precooking:
         if form_of(self.known, want.label, want.leaf) == "liquid":
             return ()  # it would be poured away with the water
         fat = any(one.want.facts.is_a("fat") for one in self.plan.joins)
-        soft = not want.facts.is_a(*word_list("is boiled rather than fried")) and "shell" not in want.facts.owes
+        soft = not want.facts.is_any(word_list("is boiled rather than fried")) and "shell" not in want.facts.owes
         return _IN_A_PAN if fat and soft else _IN_WATER
 
     def _is_boiled(self, state: str) -> bool:
@@ -282,7 +282,7 @@ def _shown(join: Join) -> tuple[str, ...]:
 
 def _by_kind(want: Want) -> tuple[str, ...]:
     """Return how a food of such a kind is cooked whole."""
-    return _IN_A_PAN if want.facts.is_a(*word_list("is fried rather than boiled")) else _IN_WATER
+    return _IN_A_PAN if want.facts.is_any(word_list("is fried rather than boiled")) else _IN_WATER
 
 
 def _is_toasted(join: Join) -> bool:

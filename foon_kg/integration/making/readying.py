@@ -46,7 +46,7 @@ class Readying:
             self.alone.preparer.cut_to_bites(ready)
         self.ready[want.number] = ready
         self.alone.beaten_first(join, ready)
-        if want.facts.is_a(*word_list("is the water of a pot")):
+        if want.facts.is_any(word_list("is the water of a pot")):
             self.alone.carry.water.kept.append(ready)
         elif want.facts.is_a("water") and self.course.is_hot(join.spot.stage):
             self.alone.measure(ready)
@@ -83,20 +83,20 @@ class Readying:
     def _is_mixed(self, join: Join) -> bool:
         """Whether more than seasoning joins at the same stage, or before it, so that nobody eats a food by itself."""
         others = (one.want.facts for one in self.plan.joins if one is not join)
-        return any(not facts.is_a(*word_list("is eaten on a cob")) for facts in others)
+        return any(not facts.is_any(word_list("is eaten on a cob")) for facts in others)
 
     def _as_eaten(self, join: Join, *, blended: bool) -> Want:
         """Return a want that nobody asked cut, cut or mashed where it is never eaten, shaped or ``blended`` whole."""
         want = self._as_soft_as_needed(join)
         if fineness(filter(None, (want.make, *want.leaf)), self.known) > 0:
             return want
-        if blended and want.facts.is_a(*word_list("is cut to be blended")):
+        if blended and want.facts.is_any(word_list("is cut to be blended")):
             return replace(want, make=min(word_list("is cut so to be blended")))
-        if self._is_stirred_in(join) and want.facts.is_a(*word_list("is cut to be stirred in")):
+        if self._is_stirred_in(join) and want.facts.is_any(word_list("is cut to be stirred in")):
             return replace(want, make=min(word_list("is cut so to be blended")))
-        if _is_shaped_later(join) and want.facts.is_a(*word_list("is mashed to be shaped")):
+        if _is_shaped_later(join) and want.facts.is_any(word_list("is mashed to be shaped")):
             return replace(want, make="mashed")
-        if _is_eaten_raw(join) and want.facts.is_a(*word_list("is never eaten whole")):
+        if _is_eaten_raw(join) and want.facts.is_any(word_list("is never eaten whole")):
             return replace(want, make=min(word_list("is cut so to be eaten raw")))
         return want
 
@@ -108,7 +108,7 @@ class Readying:
     def _as_soft_as_needed(self, join: Join) -> Want:
         """Return a want that lay out of the refrigerator where it is beaten, or stirred with what is sweet."""
         want = join.want
-        if want.make or not want.facts.is_a(*word_list("is soft when it is beaten")):
+        if want.make or not want.facts.is_any(word_list("is soft when it is beaten")):
             return want
         if set(want.leaf) <= word_list("is hard in the refrigerator") and self._is_beaten(join.spot.stage):
             return replace(want, leaf=(min(word_list("is soft so")),))
@@ -126,7 +126,7 @@ class Readying:
 
     def _cut_once_done(self, join: Join, ready: Ready) -> Ready:
         """Have what is eaten in pieces, or is mixed with others where it joins, cut when it is cooked."""
-        first_fried = ready.want.facts.is_a(*word_list("is cut once it is fried alone"))
+        first_fried = ready.want.facts.is_any(word_list("is cut once it is fried alone"))
         if (first_fried and join.spot.stage.does & MIXES) or self._is_cut_once_done(ready.want):
             self.alone.preparer.cut_once_done(ready)
         return ready
@@ -140,15 +140,15 @@ class Readying:
             (self.plan.laid, "is flesh"),
             (self.plan.by_bites, "is cut for a dish"),
         ]
-        if any(so and facts.is_a(*word_list(kinds)) for so, kinds in cut):
+        if any(so and facts.is_any(word_list(kinds)) for so, kinds in cut):
             return True
-        flat = self.plan.stacked and facts.is_a(*word_list("is fried rather than boiled"))
+        flat = self.plan.stacked and facts.is_any(word_list("is fried rather than boiled"))
         return self.alone.precooking.is_asked_done(want) and not flat
 
 
 def _those(needs: Sequence[tuple[str, bool, str]], facts: Food) -> Iterator[str]:
     """Yield of ``needs`` the states in which a food joins: each with whether such a dish has it, and the kinds."""
-    return (state for state, needed, kinds in needs if needed and facts.is_a(*word_list(kinds)))
+    return (state for state, needed, kinds in needs if needed and facts.is_any(word_list(kinds)))
 
 
 def _is_blended(join: Join) -> bool:

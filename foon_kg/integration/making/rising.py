@@ -28,7 +28,7 @@ class Rising:
         return not self.plan.flat and self._has_leaven(foods)
 
     def _has_leaven(self, foods: Sequence[str]) -> bool:
-        return any(self.known.foods.food(food).is_a(*word_list("makes dough rise")) for food in foods)
+        return any(self.known.foods.food(food).is_any(word_list("makes dough rise")) for food in foods)
 
     def let_rise(self, vessel: Vessel, stages: Sequence[Stage]) -> None:
         """Knead the dough in ``vessel`` if it needs that and let it rise, where no stage does so.

@@ -54,8 +54,8 @@ class Serving(Hands):
         if stage.label in word_list("is in portions"):
             return stage.label
         mass, kinds = vessel.contents[0], word_list("patties are made of")
-        alone = self.known.foods.food(mass.label).is_a(*word_list("is shaped by itself"))
-        held = alone or (mass.mixed and any(self.known.foods.food(food).is_a(*kinds) for food in mass.foods))
+        alone = self.known.foods.food(mass.label).is_any(word_list("is shaped by itself"))
+        held = alone or (mass.mixed and any(self.known.foods.food(food).is_any(kinds) for food in mass.foods))
         in_one = says(self.plan.label.split(), "is shaped in one piece")
         return min(word_list("is called so in portions")) if held and not in_one else ""
 

@@ -31,7 +31,7 @@ class Smoothing(Hands):
         """Whether a food makes lumps in what is in a vessel, and no batter or dough with what comes to it."""
         if join.want.facts.kind not in word_list("makes lumps") or not vessel.hot:
             return False
-        if any(one.want.facts.is_a(*word_list("makes no sauce of what binds")) for one in self.plan.joins):
+        if any(one.want.facts.is_any(word_list("makes no sauce of what binds")) for one in self.plan.joins):
             return False
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
         return any(food.is_of(*word_list("is a bath")) or self._runs(food) for food in foods)

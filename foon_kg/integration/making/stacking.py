@@ -31,7 +31,7 @@ class Stacking(Hands):
         ``joins`` are the foods there, ``later`` the stages that come then.
         """
         works = any(not one.does.isdisjoint(WORKS) for one in (stage, *later))
-        return not works and any(join.slot is None or join.want.facts.is_a(*_SLICES) for join in joins)
+        return not works and any(join.slot is None or join.want.facts.is_any(_SLICES) for join in joins)
 
     def stack(self, stage: Stage, vessel: Vessel | None, incoming: Incoming) -> Vessel:
         """Put a dish together on a plate and return what it is on: what is in ``vessel`` and ``incoming`` at ``stage``.
@@ -65,7 +65,7 @@ class Stacking(Hands):
 
     @staticmethod
     def _is_slice(join: Join) -> bool:
-        return join.want.facts.is_a(*_SLICES)
+        return join.want.facts.is_any(_SLICES)
 
     @staticmethod
     def _is_fat(join: Join) -> bool:
@@ -83,7 +83,7 @@ class Stacking(Hands):
     def _lay_on(self, plate: Vessel, joins: Sequence[Join]) -> None:
         """Lay foods on what is on a plate, first what melts on it; fat that came along in what was made is there."""
         there = frozenset().union(*(stuff.wants for stuff in plate.contents))
-        for join in sorted(joins, key=lambda join: not join.want.facts.is_a(*word_list("melts on what is hot"))):
+        for join in sorted(joins, key=lambda join: not join.want.facts.is_any(word_list("melts on what is hot"))):
             if not (join.want.facts.is_a("fat") and join.want.number in there):
                 self._bring_as_usual(join, plate)
 
@@ -101,7 +101,7 @@ class Stacking(Hands):
         """Lay bread on a plate; return whether some of it is left, to be laid on top."""
         ready = self.ready[join.want.number]
         cut = fineness(ready.stuff.states, self.known) > 0
-        if ready.stuff.at is plate or not (cut and join.want.facts.is_a(*_CLOSES)):
+        if ready.stuff.at is plate or not (cut and join.want.facts.is_any(_CLOSES)):
             self._bring_as_usual(join, plate)
             return False
         self.carry.bring_part(ready, plate)
@@ -120,7 +120,7 @@ class Stacking(Hands):
         if attested is None or ready.stuff.at is plate:
             self._bring_as_usual(join, plate)
         else:
-            below = [stuff for stuff in plate.contents if self.known.foods.food(stuff.label).is_a(*_SLICES)]
+            below = [stuff for stuff in plate.contents if self.known.foods.food(stuff.label).is_any(_SLICES)]
             self.bench.bring([ready.stuff], plate, attested, onto=below)
 
     def _heat_through(self, plate: Vessel, fats: Sequence[Join], stage: Stage) -> Vessel:
@@ -145,14 +145,14 @@ class Stacking(Hands):
 
     def _bound(self, joins: Sequence[Join]) -> list[Join]:
         """Return what is mixed to be spread: small pieces with something creamy, and what seasons them."""
-        creamy = [join for join in joins if join.want.facts.is_a(*_CREAMY)]
-        seasons = [join for join in without(joins, creamy) if join.want.facts.is_a(*_SEASONS)]
+        creamy = [join for join in joins if join.want.facts.is_any(_CREAMY)]
+        seasons = [join for join in without(joins, creamy) if join.want.facts.is_any(_SEASONS)]
         pieces = [join for join in without(joins, [*creamy, *seasons]) if self._is_in_small_pieces(join)]
         return [*pieces, *creamy, *seasons] if pieces and creamy else []
 
     def _is_in_small_pieces(self, join: Join) -> bool:
         """Whether a food is in small pieces, and is no layer of its own."""
-        return self._is_small(join) and not join.want.facts.is_a(*_LAYERS)
+        return self._is_small(join) and not join.want.facts.is_any(_LAYERS)
 
     def _stir_into(self, made: Sequence[Vessel], incoming: Incoming) -> None:
         """Stir small pieces into the creamy mixture that a video makes; they are taken out of ``incoming``."""
@@ -167,15 +167,15 @@ class Stacking(Hands):
 
     def _is_creamy(self, vessel: Vessel) -> bool:
         """Whether something creamy is in what is in a vessel, and it is not hot."""
-        return not vessel.hot and any(self.known.foods.food(food).is_a(*_CREAMY) for food in foods_of(vessel))
+        return not vessel.hot and any(self.known.foods.food(food).is_any(_CREAMY) for food in foods_of(vessel))
 
     def _only_seasons(self, join: Join) -> bool:
         """Whether a food seasons pieces, and is not spread by itself."""
-        return join.want.facts.is_a(*_SEASONS) and not self._is_smeared(join)
+        return join.want.facts.is_any(_SEASONS) and not self._is_smeared(join)
 
     def _is_small(self, join: Join) -> bool:
         fine = fineness(self.ready[join.want.number].stuff.states, self.known)
-        return fine >= CHOPPED or join.want.facts.is_a(*word_list("falls apart"))
+        return fine >= CHOPPED or join.want.facts.is_any(word_list("falls apart"))
 
     def _bring_as_usual(self, join: Join, vessel: Vessel) -> None:
         """Bring a food as is usual for it, and not as its slot has it."""

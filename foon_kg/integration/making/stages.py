@@ -75,7 +75,7 @@ class Stages:
         """Whether the dish lies on a plate, however much runs out of it: what is carved, and portions of flesh."""
         if self.plan.label in word_list("is served on a plate"):
             return True
-        flesh = [join.want for join in self.plan.joins if join.want.facts.is_a(*word_list("is coated"))]
+        flesh = [join.want for join in self.plan.joins if join.want.facts.is_any(word_list("is coated"))]
         in_one = any(is_portion(want, self.known) or want.asked == "whole" for want in flesh)
         return in_one and not (self.plan.one_pot or self.plan.spooned)
 
@@ -131,8 +131,8 @@ class Stages:
         if "dry" in stage.does:
             return False
         wants = [one.want for one in stuffs if isinstance(one, Join)]
-        wet = any(want.squeezed or want.facts.is_a(*word_list("wets the pan")) for want in wants)
-        solid = any(not want.facts.is_a(*word_list("only flavours")) for want in wants)
+        wet = any(want.squeezed or want.facts.is_any(word_list("wets the pan")) for want in wants)
+        solid = any(not want.facts.is_any(word_list("only flavours")) for want in wants)
         return solid and not wet and not any(isinstance(one, Vessel) for one in stuffs)
 
     def merges(self, turn: Turn) -> bool:
@@ -186,7 +186,7 @@ class Stages:
 
     def _is_asked(self, *kinds: str) -> bool:
         """Whether a food of one of some kinds is asked."""
-        return any(join.want.facts.is_a(*kinds) for join in self.plan.joins)
+        return any(join.want.facts.is_any(kinds) for join in self.plan.joins)
 
     def taken_up(self, stage: Stage, vessel: Vessel) -> Stuff | None:
         """Return the only food that ``stage`` cooks in a vessel: fat and spices that cling to it are one with it.
@@ -202,7 +202,7 @@ class Stages:
         return foods[0] if len(foods) == 1 < len(contents) else None
 
     def _is_a(self, stuff: Stuff, words_of: str) -> bool:
-        return self.known.foods.food(stuff.label).is_a(*word_list(words_of))
+        return self.known.foods.food(stuff.label).is_any(word_list(words_of))
 
     def is_drained_next(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
         """Return whether the water in which foods are cooked in ``vessel`` is poured away by the ``later`` stages.
@@ -294,7 +294,7 @@ class Stages:
         return beaten or ("knead" in stage.does and facts.is_a("dough"))
 
     def _is_only_made_hot(self, food: Food) -> bool:
-        return food.is_a(*word_list("is only made hot")) and not food.is_a(*word_list("is cooked in phases"))
+        return food.is_any(word_list("is only made hot")) and not food.is_any(word_list("is cooked in phases"))
 
     def _is_mixed(self, stage: Stage, vessel: Vessel) -> bool:
         """Whether nothing is left to be mixed: it is mixed and nothing joined, or it is one food that pours."""
@@ -360,4 +360,4 @@ def _out_of_hot_pans(stages: Sequence[Stage]) -> list[Line]:
 
 def _rises_by_nothing(stage: Stage, foods: Sequence[Food]) -> bool:
     """Whether a stage lets rise what has nothing in it that makes it rise."""
-    return stage.motion in word_list("rises") and not any(f.is_a(*word_list("makes dough rise")) for f in foods)
+    return stage.motion in word_list("rises") and not any(f.is_any(word_list("makes dough rise")) for f in foods)

@@ -26,10 +26,10 @@ class TakingOut:
 
     def _is_taken_out(self, want: Want) -> bool:
         """Whether a food only gives its taste, and nobody eats or drinks it."""
-        if want.facts.is_a(*word_list("is taken out of the dish")):
+        if want.facts.is_any(word_list("is taken out of the dish")):
             return True
         powder = bool(want.make) and fineness([want.make], self.known) >= POWDER  # nothing of it stays in a strainer
-        return self.plan.drunk and not powder and want.facts.is_a(*word_list("is taken out of what is drunk"))
+        return self.plan.drunk and not powder and want.facts.is_any(word_list("is taken out of what is drunk"))
 
     def is_due(self, vessel: Vessel) -> bool:
         """Return whether something in ``vessel`` only gives its taste."""
@@ -41,7 +41,7 @@ class TakingOut:
         Return what the rest is in then: what is drunk is poured through a strainer.
         """
         wants = self._to_take_out(vessel)
-        loose = any(not want.facts.is_a(*word_list("is taken out of the dish")) for want in wants)
+        loose = any(not want.facts.is_any(word_list("is taken out of the dish")) for want in wants)
         if self.plan.drunk and loose and len(vessel.contents) == 1:  # a bag or a stick is lifted out
             return self._strain(vessel, wants)
         ways = self.lifting_ways()
@@ -57,7 +57,7 @@ class TakingOut:
 
         Return what the rest is in.
         """
-        wants = self.inside(vessel, lambda want: want.facts.is_a(*word_list("stays in a strainer")))
+        wants = self.inside(vessel, lambda want: want.facts.is_any(word_list("stays in a strainer")))
         return self._strain(vessel, wants) if wants and len(vessel.contents) == 1 else vessel
 
     def _to_take_out(self, vessel: Vessel) -> list[Want]:
@@ -92,7 +92,7 @@ class TakingOut:
         """Whether a food is still in one piece that can be lifted out: no chopped herb, nor leaves off their stem."""
         states = [state for state in (want.make, want.then, *want.leaf) if state]
         plucked = word_list("is plucked off its stem")
-        if want.facts.is_a(*word_list("is a leaf by itself")):
+        if want.facts.is_any(word_list("is a leaf by itself")):
             states = [state for state in states if state not in plucked]
         elif not plucked.isdisjoint(words(want.label)):
             return False

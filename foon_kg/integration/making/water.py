@@ -34,7 +34,7 @@ class Water:
         """Bring the water in a pot that stands over the heat to the boil, where nothing but salt is in it."""
         water, device = self._water_in(pot), pot.device
         foods = (self.known.foods.food(stuff.label) for stuff in pot.contents)
-        if water is None or device is None or any(not one.is_a(*word_list("goes into the water")) for one in foods):
+        if water is None or device is None or any(not one.is_any(word_list("goes into the water")) for one in foods):
             return
         boils = self.bench.attest([("boil", ()), ("heat", ())], water.foods)
         if boils is None or "boiling" in water.states:
@@ -52,7 +52,7 @@ class Water:
         foods = [self.known.foods.food(stuff.label) for stuff in vessel.contents]
         if not any(food.is_a("water") for food in foods):
             return False
-        return ready.want.cooked or all(food.is_a(*word_list("goes into the water")) for food in foods)
+        return ready.want.cooked or all(food.is_any(word_list("goes into the water")) for food in foods)
 
     def drain(self, pot: Vessel, strainer: Vessel, stuffs: Sequence[Stuff]) -> None:
         """Pour a pot into a strainer: ``stuffs`` stay there, the water is gone, save what is asked of it."""
@@ -101,4 +101,4 @@ class Water:
         if stuff.mixed:
             return False
         facts = self.known.foods.food(stuff.label)
-        return facts.is_a(*word_list("goes into the water")) and not facts.is_a("water")
+        return facts.is_any(word_list("goes into the water")) and not facts.is_a("water")

@@ -83,7 +83,7 @@ class Worker:
 
     def _is_a_topping(self, stuff: Stuff) -> bool:
         facts = self.known.foods.food(stuff.label)
-        toasted = facts.is_a(*word_list("stays firm once it is toasted")) and is_heated(stuff.states, self.known)
+        toasted = facts.is_any(word_list("stays firm once it is toasted")) and is_heated(stuff.states, self.known)
         return toasted or facts.is_a("topping")
 
     def lies_on_what_is_done(self, stuff: Stuff, vessel: Vessel) -> bool:
@@ -98,8 +98,8 @@ class Worker:
 
     def _is_tossed(self, stuff: Stuff) -> bool:
         facts = self.known.foods.food(stuff.label, stuff.states)
-        named = facts.is_a(*word_list("is eaten with a sauce")) and self.outcome.is_named_after(facts)
-        return (named or facts.is_a(*word_list("is stirred into what is done"))) and not facts.is_a("topping")
+        named = facts.is_any(word_list("is eaten with a sauce")) and self.outcome.is_named_after(facts)
+        return (named or facts.is_any(word_list("is stirred into what is done"))) and not facts.is_a("topping")
 
     def toss(self, vessel: Vessel) -> None:
         """Stir what came to a dish that is done in ``vessel`` into it."""

@@ -60,7 +60,7 @@ def _with_tools(ways: Iterable[Way]) -> list[Way]:
 
 
 def _wants_a_knife(want: Want) -> bool:
-    return want.facts.is_a(*word_list("wants a knife")) and not want.facts.is_a(*word_list("is broken by hand"))
+    return want.facts.is_any(word_list("wants a knife")) and not want.facts.is_any(word_list("is broken by hand"))
 
 
 def _by_bare_hands(ways: Iterable[Way]) -> list[Way]:
@@ -69,7 +69,7 @@ def _by_bare_hands(ways: Iterable[Way]) -> list[Way]:
 
 
 def _is_taken_off_by_hand(name: str, want: Want) -> bool:
-    return name == "husk" or (name == "shell" and want.facts.is_a(*word_list("is shelled by hand")))
+    return name == "husk" or (name == "shell" and want.facts.is_any(word_list("is shelled by hand")))
 
 
 class Cutter:
@@ -103,14 +103,14 @@ class Cutter:
         ways = self._ways_to_cut(want, state)
         grating = self._ways_to_grate(ways, want, state)
         like = self._nearest_cut(grating, want, state)
-        if like is None and want.facts.is_a(*word_list("can be grated")):
+        if like is None and want.facts.is_any(word_list("can be grated")):
             like = self.bench.far(grating, want.names, act=True)
         return like or self._nearest_cut(ways, want, state)
 
     def _ways_to_cut(self, want: Want, state: str) -> list[Way]:
         """Return the ways of this FOON by which such a food can be brought into pieces of that state."""
         ways = self._ways_to_divide(state)
-        torn = state in _COOKED_FIRST and want.facts.is_a(*word_list("is flesh"))  # it is cooked by then
+        torn = state in _COOKED_FIRST and want.facts.is_any(word_list("is flesh"))  # it is cooked by then
         ways = (_by_bare_hands(ways) if torn else []) or self.with_a_knife(ways, want, state)
         if wants_a_mill(state, want.facts, self.known):
             return [way for way in ways if is_mill(way, self.known)]
@@ -123,7 +123,7 @@ class Cutter:
 
     def _ways_to_grate(self, ways: Sequence[Way], want: Want, state: str) -> list[Way]:
         """Return those of some ways that have a grater, where a food is brought into such a state by that alone."""
-        hard = state in word_list("grates what is hard") and want.facts.is_a(*word_list("is hard to shred"))
+        hard = state in word_list("grates what is hard") and want.facts.is_any(word_list("is hard to shred"))
         grated = hard or state in word_list("only grates") | word_list("is so by a grater")
         return [way for way in ways if grated and self.has_tool_to(_GRATE, way)]
 
@@ -152,14 +152,14 @@ class Cutter:
 
     def _fit_ways(self, ways: Sequence[Way], want: Want, state: str) -> list[Way]:
         """Return the ways that are said to be fit for a state that the FOON never gives."""
-        if want.facts.is_a(*word_list("is crushed with a knife")):
+        if want.facts.is_any(word_list("is crushed with a knife")):
             return []
         fit = word_lists().get(f"makes what is {state}", frozenset())
         return [way for way in ways if way[0] in fit]
 
     def usual_cut(self, want: Want) -> str:
         """Return the state into which the FOON most often cuts such a food as ``want``."""
-        if want.facts.is_a(*word_list("is grated where nothing is said")):
+        if want.facts.is_any(word_list("is grated where nothing is said")):
             return min(word_list("only grates"))
         # the narrowest name that is ever cut decides, the whole kitchen (vegetables) at last
         counts: dict[str, int] = {}
@@ -187,9 +187,9 @@ class Cutter:
         """
         if _is_taken_off_by_hand(name, want):
             fit = _bare(ways)
-        elif name != "peel" or want.facts.is_a(*word_list("is peeled by hand")):
+        elif name != "peel" or want.facts.is_any(word_list("is peeled by hand")):
             return ways
-        elif want.facts.is_a(*word_list("is peeled with a knife")):
+        elif want.facts.is_any(word_list("is peeled with a knife")):
             fit = [way for way in ways if self.has_tool_to(_OPEN, way)]
         else:
             fit = _with_tools(ways)

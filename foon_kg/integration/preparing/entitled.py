@@ -39,7 +39,7 @@ def _is_called_mashed(want: Want, title_words: Sequence[str]) -> bool:
     if any(head in heads and word in mash for head, word in itertools.pairwise(title_words)):
         return True
     covers = says(title_words, "is covered with mash")
-    return covers and not want.cooked and want.facts.is_a(*word_list("covers a dish when it is mashed"))
+    return covers and not want.cooked and want.facts.is_any(word_list("covers a dish when it is mashed"))
 
 
 def _says_more(before: str, want: Want, known: Tables) -> bool:
@@ -95,9 +95,9 @@ def as_in_a_dish(wants: Iterable[Want], operators: Operators, title: str, dish_t
     def meant(want: Want) -> Want:
         if not _is_whole(want, known):
             return _by_its_dish(want, dish_type, known)
-        if pressed and want.facts.is_a(*word_list("is pressed for its juice")) and not want.part:
+        if pressed and want.facts.is_any(word_list("is pressed for its juice")) and not want.part:
             return _pressed(want, operators)
-        if bites and want.facts.is_a(*word_list("is pulled off when it is boiled")):
+        if bites and want.facts.is_any(word_list("is pulled off when it is boiled")):
             return replace(want, then=min(word_list("is so when it is pulled off")))
         return _canned(want, known) if _comes_canned(want, wants, title_words) else want
 
@@ -123,9 +123,9 @@ def _pressed(want: Want, operators: Operators) -> Want:
 def _comes_canned(want: Want, wants: Collection[Want], title_words: Collection[str]) -> bool:
     """Whether a food that is too much work for a dish of many others is taken out of a can."""
     basis = word_list("a dish is built on") | word_list("a cold dish is built on")
-    others = any(one.facts.is_a(*basis) for one in wants)
+    others = any(one.facts.is_any(basis) for one in wants)
     own = says(title_words, "is eaten with a knife")
-    return others and not own and want.facts.is_a(*word_list("is canned for a dish"))
+    return others and not own and want.facts.is_any(word_list("is canned for a dish"))
 
 
 def _canned(want: Want, known: Tables) -> Want:

@@ -131,7 +131,7 @@ def wants_a_mill(state: str, facts: Food, known: Tables) -> bool:
     """
     row = known.state(state)
     fine = row.fineness >= POWDER and row.earns == {"cut"}
-    return fine and not facts.is_a(*word_list("is soft enough for a knife"))
+    return fine and not facts.is_any(word_list("is soft enough for a knife"))
 
 
 def as_mash(want: Want, known: Tables) -> Want:
@@ -140,7 +140,7 @@ def as_mash(want: Want, known: Tables) -> Want:
     That is not so where it is asked cut. ``known`` are the tables.
     """
     whole = not want.make or not known.state(want.make).fine
-    hard = want.facts.is_a(*word_list("is cooked and mashed to be shaped"))
+    hard = want.facts.is_any(word_list("is cooked and mashed to be shaped"))
     return replace(want, then=min(word_list("is mashed so"))) if hard and whole and not want.then else want
 
 

@@ -103,9 +103,9 @@ class Preparer(Treater):
         if want.make in word_list("is cut off at the ends"):
             self.trim(ready, want.make)
             return
-        if want.facts.is_a(*word_list("has tough ends")) and form_of(self.known, want.label, want.leaf) == "whole":
+        if want.facts.is_any(word_list("has tough ends")) and form_of(self.known, want.label, want.leaf) == "whole":
             self.trim(ready, min(word_list("is trimmed")))
-        if self.is_mashed_raw(want) and want.facts.is_a(*word_list("is flesh")) and not alone:
+        if self.is_mashed_raw(want) and want.facts.is_any(word_list("is flesh")) and not alone:
             self._cut(ready, self.usual_cut(want))  # it falls into shreds only once it is cooked
         elif self.is_mashed_raw(want):
             ready.cut_later = cut
@@ -114,7 +114,7 @@ class Preparer(Treater):
 
     def _due(self, want: Want) -> set[str]:
         """Return what hands have to do to a food: what it owes, and what the asked state needs."""
-        if want.squeezed or want.at_hand or want.facts.is_a(*word_list("is grated off the whole")):
+        if want.squeezed or want.at_hand or want.facts.is_any(word_list("is grated off the whole")):
             return set()
         # the table has "trimmed" take out a choke, which only artichokes have: anything else loses but its ends
         trimmed = want.make in word_list("is cut off at the ends")
@@ -123,9 +123,9 @@ class Preparer(Treater):
 
     def is_mashed_raw(self, want: Want) -> bool:
         """Return whether ``want`` is asked in a form for which it is still too hard (mashed): it is cooked before."""
-        if want.make in word_list("only what is cooked is so") and want.facts.is_a(*word_list("is flesh")):
+        if want.make in word_list("only what is cooked is so") and want.facts.is_any(word_list("is flesh")):
             return {"cook"} <= want.facts.owes.keys()
-        if want.make in word_list("only what is soft is so") and want.facts.is_a(*word_list("is hard")):
+        if want.make in word_list("only what is soft is so") and want.facts.is_any(word_list("is hard")):
             return True
         ways = self.operators.giving.get(want.make, ()) if want.make else ()
         mashed = self.known.state(want.make).fineness >= POWDER and any(
@@ -137,7 +137,7 @@ class Preparer(Treater):
         """Have a food that is ``ready`` cut when it is cooked, unless it is in pieces or is cut anyway."""
         states = (*ready.stuff.states, ready.want.make) if ready.want.make else ready.stuff.states
         whole = not any(self.known.state(state).fineness > 0 for state in states)
-        whole = whole and not ready.want.facts.is_a(*word_list("is in bits"))
+        whole = whole and not ready.want.facts.is_any(word_list("is in bits"))
         if whole and not ready.cut_later and not self._is_no_work_for_a_knife(ready.want):
             ready.cut_later = self.usual_cut(ready.want)
 
@@ -146,7 +146,7 @@ class Preparer(Treater):
         rows = [self.known.state(state) for state in ready.stuff.states]
         halves = max((row.fineness for row in rows), default=0) == HALVED
         halves = halves and not says(words(ready.want.label), "is a small one")
-        if halves and ready.want.facts.is_a(*word_list("is more than a bite in halves")):
+        if halves and ready.want.facts.is_any(word_list("is more than a bite in halves")):
             self._cut(ready, self.usual_cut(ready.want))
 
     def cut_now(self, ready: Ready) -> None:
@@ -193,7 +193,7 @@ class Preparer(Treater):
 
     def _shape_elsewhere(self, want: Want, form: Sequence[str]) -> str:
         """Return the first cut of ``form``, the states in which such a food joins elsewhere, that is one for it."""
-        never = want.facts.is_a(*word_list("is never so unasked"))
+        never = want.facts.is_any(word_list("is never so unasked"))
         if never and says(form, "is a shape that is asked"):
             return ""
         some = word_list("is a shape of some foods")
@@ -204,7 +204,7 @@ class Preparer(Treater):
         """Whether a food is flesh that no knife cuts small, as its name says."""
         told = {*words(want.label), *words(want.facts.taken_for)}
         hard = says(told, "is no work for a knife")
-        return hard and want.facts.is_a(*word_list("is flesh"))
+        return hard and want.facts.is_any(word_list("is flesh"))
 
     def _is_still_whole(self, want: Want, state: str) -> bool:
         """Whether a food that is sold so is still to be cut, though the word is one of a part: a clove, a steak."""
@@ -248,24 +248,25 @@ class Preparer(Treater):
 
 def _is_served_cut(want: Want) -> bool:
     """Whether nobody serves a food in one piece, though it could be eaten so."""
-    if _is_cut_though_dried(want) or want.facts.is_a(*word_list("is too large in leaves")):
+    if _is_cut_though_dried(want) or want.facts.is_any(word_list("is too large in leaves")):
         return "cut" in want.facts.owes
-    raw = want.facts.is_a("raw") and not want.facts.is_a(*word_list("is served in leaves"))
+    raw = want.facts.is_a("raw") and not want.facts.is_any(word_list("is served in leaves"))
     return raw and "cut" in want.facts.owes
 
 
 def _is_cut_first(want: Want, *, alone: bool) -> bool:
     """Whether a food is not only cut when it is cooked ``alone``; what is toasted is split before."""
-    if alone and want.facts.is_a(*word_list("is cut once it is fried alone")):
+    if alone and want.facts.is_any(word_list("is cut once it is fried alone")):
         return False
-    return not (want.cooked and alone) or want.facts.is_a(*word_list("is split"))
+    return not (want.cooked and alone) or want.facts.is_any(word_list("is split"))
 
 
 def _is_soaked_first(want: Want) -> bool:
     """Whether a food was dried so hard that a cook lets it soak before anything else is done with it."""
-    return want.facts.is_a(*word_list("is soaked first")) and not want.facts.is_a(*word_list("is done without soaking"))
+    is_any = want.facts.is_any
+    return is_any(word_list("is soaked first")) and not is_any(word_list("is done without soaking"))
 
 
 def _is_cut_though_dried(want: Want) -> bool:
     """Whether a food was dried in pieces that are too large for a mouth."""
-    return want.facts.is_a(*word_list("is cut though it is dried")) and "cut" in want.facts.owes
+    return want.facts.is_any(word_list("is cut though it is dried")) and "cut" in want.facts.owes

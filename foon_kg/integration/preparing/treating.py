@@ -41,7 +41,7 @@ class Treater(Cutter):
         What has earth between its leaves is washed when it is ``cut``.
         """
         order = list(IN_ORDER)
-        if ready.want.facts.is_a(*word_list("is stoned before it is peeled")):
+        if ready.want.facts.is_any(word_list("is stoned before it is peeled")):
             order.sort(key=lambda name: name == "peel")
         for name in order:
             if name in due and _DONE_WITH.get(name) not in due:
@@ -245,7 +245,7 @@ class Treater(Cutter):
         ways = [way for way in self.operators.ways.get("shell", ()) if "open" in self.known.motion(way[0]).does]
         ways = [way for way in ways if self.operators.onto.get(way) and not way[1]]
         # what was boiled in its shell is peeled, and runs no more
-        opens = "shell" in want.facts.owes and not want.facts.is_a(*word_list("is peeled and not cracked"))
+        opens = "shell" in want.facts.owes and not want.facts.is_any(word_list("is peeled and not cracked"))
         return self.bench.attest(ways, want.names, act=True) if opens else None
 
     def assume(self, ready: Ready, state: str) -> None:
@@ -260,4 +260,4 @@ class Treater(Cutter):
 
 def _is_earthy(want: Want) -> bool:
     """Whether there is earth between the leaves of a food, so that it is washed when it is cut."""
-    return want.facts.is_a(*word_list("is washed when it is cut"))
+    return want.facts.is_any(word_list("is washed when it is cut"))

@@ -73,7 +73,7 @@ def _divides(state: str, known: Tables) -> bool:
 def _cut_by_name(want: Want, known: Tables) -> Want:
     """Return a food that is cut as its name says (lime wedge), or grated off the whole (zest), if no state is asked."""
     shape = words(want.label)[-1:]
-    grated_off = want.facts.is_a(*word_list("is grated off the whole"))
+    grated_off = want.facts.is_any(word_list("is grated off the whole"))
     as_sold = grated_off and want.asked == want.facts.sold_as
     if want.asked and not as_sold and not known.state(want.asked).undivided:
         return want
@@ -141,7 +141,7 @@ def _as_had(want: Want, plain: str, known: Tables, operators: Operators) -> Want
     """Return a food that is asked as it is had: so, as it is sold (``plain``), or with what is still to be done."""
     if want.asked in word_list("only what was cooked is so") and {"cook", "boil"} & owed(want, known):
         return replace(want, cooked=True)
-    if want.asked in word_list("is only made warm") and want.facts.is_a(*word_list("is warmed alone")):
+    if want.asked in word_list("is only made warm") and want.facts.is_any(word_list("is warmed alone")):
         return replace(want, make=want.asked)
     if _taken_at_its_word(want, plain, known, operators):
         return replace(want, leaf=(want.asked,))
@@ -157,7 +157,7 @@ def _as_heated(want: Want, plain: str, known: Tables) -> Want:
     """Return a food that is asked cooked: by itself, where it is a thing that can be; else it is read as ``plain``."""
     form = form_of(known, want.label, want.leaf)
     whole = form in {"whole", "pieces"} and not want.facts.is_a("spice", "fat")
-    toasted = want.asked in word_list("is so by dry heat") and want.facts.is_a(*word_list("is toasted by itself"))
+    toasted = want.asked in word_list("is so by dry heat") and want.facts.is_any(word_list("is toasted by itself"))
     return replace(want, cooked=True, make=want.asked) if whole or toasted else replace(want, read_as=plain)
 
 
@@ -172,7 +172,7 @@ def _otherwise(want: Want, plain: str, row: State, operators: Operators) -> Want
         return replace(want, make=state, squeezed=True)
     if _lacks_a_mill(want, operators):
         return _as_ground(want, plain)
-    if state in word_list("has no shell any more") and facts.is_a(*word_list("runs out of its shell")):
+    if state in word_list("has no shell any more") and facts.is_any(word_list("runs out of its shell")):
         boiled = min(word_list("is boiled so"))
         return replace(want, make=boiled, cooked=True, read_as=boiled)
     others = _done_by_others(want, row, operators)
@@ -189,7 +189,7 @@ def _lacks_a_mill(want: Want, operators: Operators) -> bool:
 
 def _as_ground(want: Want, plain: str) -> Want:
     """Return a food that is asked ground where nobody has a mill: bought so, if it is sold so, else as ``plain``."""
-    ground = want.facts.is_a(*word_list("is sold ground")) or not want.facts.traits
+    ground = want.facts.is_any(word_list("is sold ground")) or not want.facts.traits
     return replace(want, leaf=(want.asked,), bought_so=True) if ground else replace(want, read_as=plain)
 
 
@@ -248,7 +248,7 @@ def _is_trimmed_here(want: Want, form: str) -> bool | None:
     """
     if want.asked not in word_list("is cut off at the ends"):
         return None
-    if want.facts.is_a(*word_list("is flesh")):
+    if want.facts.is_any(word_list("is flesh")):
         return False
     return True if want.facts.is_a("vegetable") and form == "whole" else None
 
@@ -276,7 +276,7 @@ def _melts(want: Want) -> bool:
 
 
 def _is_mashed_as_sold(want: Want) -> bool:
-    return want.asked in word_list("is mashed so") and want.facts.is_a(*word_list("is mashed as it is sold"))
+    return want.asked in word_list("is mashed so") and want.facts.is_any(word_list("is mashed as it is sold"))
 
 
 def _is_made_here(want: Want, form: str, row: State, operators: Operators) -> bool:
@@ -305,7 +305,7 @@ def _is_shown(ways: Iterable[Way], want: Want, operators: Operators) -> bool:
 
 def _is_grated_off(label: str, facts: Food, known: Tables) -> bool:
     """Whether what is asked is only grated off the whole of that name."""
-    return facts.is_a(*word_list("is grated off the whole")) and known.foods.food(label).kind != facts.kind
+    return facts.is_any(word_list("is grated off the whole")) and known.foods.food(label).kind != facts.kind
 
 
 def _plain_leaf(label: str, facts: Food, asked: str, known: Tables) -> str:

@@ -201,7 +201,7 @@ class Referents:
         shares = {}
         for label in made:
             parts = self.scene.parts(self.scene.foods[label])
-            shares[label] = sum(foods.food(part).is_a(*_IS_DRY) for part in parts) / len(parts)
+            shares[label] = sum(foods.food(part).is_any(_IS_DRY) for part in parts) / len(parts)
         best = max if not words.isdisjoint(_DRY) else min
         return best(shares, key=lambda label: shares[label])
 
@@ -328,7 +328,7 @@ class Referents:
         if words.isdisjoint(_INGREDIENTS):
             return []
         if not words.isdisjoint(_DRY):
-            return [self._new(one) for one in self.larder.left() if tables().foods.food(one.name).is_a(*_IS_DRY)]
+            return [self._new(one) for one in self.larder.left() if tables().foods.food(one.name).is_any(_IS_DRY)]
         remaining = not set(said.lower().split()).isdisjoint(_REMAINING)
         return [self._new(one) for one in self.larder.left()] if remaining or not self._hand() else []
 

@@ -360,7 +360,7 @@ class UnitDrafter(OfNodes):
             return False
         foods, names = tables().foods, [one.name for one in action.objects]
         there = all(name in self.scene.foods for name in names)
-        return there and not all(foods.food(name).is_a(*_SEASONS) for name in names)
+        return there and not all(foods.food(name).is_any(_SEASONS) for name in names)
 
     def _lie_together(self, action: NarratedAction, *, stays: bool) -> bool:
         """Whether all objects are in one vessel already and stay there: what is done is done to them at once."""
