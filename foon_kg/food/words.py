@@ -26,6 +26,8 @@ _BESIDES = re.compile(r"\bplus\b|\b(?:more|extra|some)(?= (?:for|to)\b)", re.IGN
 _USE = re.compile(r"[,(]?\s*\b(?:for|to) (?:the |an? )?(?P<words>[a-z][a-z -]*)\)?", re.IGNORECASE)
 _USES = {"serve": "serving", "garnish": "garnish", "finish": "finishing", "decorate": "garnish"}
 """What is said with "to", and for what a food is then."""
+_HEADED = re.compile(r"\s*(?:for|to) [a-z -]+:(?=\s*\S)", re.IGNORECASE)
+"""A heading that stands in one line with its foods."""
 _ALIKE = {"swirl": "filling"}
 """Parts of a dish by another name."""
 
@@ -103,7 +105,12 @@ def without_part(text: str) -> tuple[str, str]:
     (('powdered sugar', 'glaze'), ('lemon wedges', 'serving'), ('1 egg', ''))
     >>> without_part("2 cups flour, plus extra for dusting")[1]
     ''
+    >>> without_part("To serve: dumplings and jam")
+    ('dumplings and jam', 'serving')
     """
+    rest, part = without_heading(text)
+    if part:
+        return rest, part
     besides = _BESIDES.search(text)
     for use in _USE.finditer(text) if besides is None else _USE.finditer(text, 0, besides.start()):
         said = use["words"].lower().split()
@@ -113,16 +120,23 @@ def without_part(text: str) -> tuple[str, str]:
     return text, ""
 
 
+def without_heading(text: str) -> tuple[str, str]:
+    """Return ``text``, a line, without a heading in front of its foods, and the part that this names; else ``""``."""
+    heading = _HEADED.match(text)
+    part = heading_part(heading[0]) if heading else ""
+    return (text[heading.end() :].strip(), part) if heading and part else (text, "")
+
+
 def heading_part(text: str) -> str:
     """Return the part of a dish that ``text``, a heading, names; ``""`` where it names none.
 
     A sauce may be called by its own name.
 
-    >>> heading_part("For the lemon glaze:"), heading_part("For the hollandaise:")
-    ('glaze', 'sauce')
+    >>> heading_part("For the lemon glaze:"), heading_part("For the hollandaise:"), heading_part("To serve:")
+    ('glaze', 'sauce', 'serving')
     """
     said = list(reversed(re.findall(r"[^\W\d_]+", text.lower())))
-    named = next((word for word in said if word in _named()), "")
+    named = next((word for word in said if word in _named()), "") or next((_USES[w] for w in said if w in _USES), "")
     own = (part for part in ("sauce", "salsa") if says(said, f"is a {part} by its name"))
     return _ALIKE.get(named, named) or next(own, "")
 

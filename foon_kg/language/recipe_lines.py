@@ -21,7 +21,9 @@ from multiprocessing import get_context
 from typing import Any, Self
 
 from foon_kg.food import tables
+from foon_kg.food.lists import word_list
 from foon_kg.food.told_states import asked_state
+from foon_kg.food.words import without_heading
 from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
 from foon_kg.language.plain_lines import read_quickly
 from foon_kg.language.several_foods import with_all_foods, without_mere_states
@@ -106,7 +108,8 @@ def _read(line: str) -> RecipeLine:
 
 def read_fully(line: str) -> RecipeLine:
     """Return what the parser reads in a line. One that differs only in its number from an earlier one costs little."""
-    text = _NAAN.sub("naan", " ".join(line.split()))
+    text = without_heading(_NAAN.sub("naan", " ".join(line.split())))[0]
+    text = _portions().sub(" ", text, count=1)
     number = _NUMBER.match(text)
     if number is None:
         return replace(_parse(text), text=line)
@@ -116,6 +119,12 @@ def read_fully(line: str) -> RecipeLine:
     if answer.quantity != stand_in:
         return replace(_parse(text), text=line)
     return replace(answer, text=line, quantity=str(quantity))
+
+
+@lru_cache(maxsize=1)
+def _portions() -> re.Pattern[str]:
+    """Return what finds a portion as it is sold behind its number: nests of noodles."""
+    return re.compile(rf"(?<=\d) (?:{'|'.join(sorted(word_list('is a portion as it is sold')))}) (?:of )?(?=\w)")
 
 
 _A_LITTLE = re.compile(

@@ -95,7 +95,13 @@ def form_together(stuffs: Sequence[Stuff], known: Tables, *, whole: bool) -> str
 
 
 def _runs(stuff: Stuff, known: Tables) -> bool:
-    return is_liquid_or_soft(stuff, known) or is_wet(stuff, known)
+    return is_liquid_or_soft(stuff, known) or is_wet(stuff, known) or _is_stirred_in_pot(stuff, known)
+
+
+def _is_stirred_in_pot(stuff: Stuff, known: Tables) -> bool:
+    """Whether a mixture was stirred in a deep pot, in which nothing sets in one piece."""
+    row = known.utensil(stuff.at.label) if stuff.mixed and stuff.at is not None else None
+    return row is not None and row.group == "pots" and not is_uncut(stuff, known)
 
 
 def _is_shaped(stuffs: Sequence[Stuff], known: Tables) -> bool:
