@@ -163,6 +163,8 @@ def test_foods_in_place_of_each_other_are_no_two_foods():
         ("1 lemon, zested and juiced", [("lemon", "zested"), ("lemon", "juiced")]),
         ("4 cups chicken or vegetable stock", [("chicken stock", "")]),
         ("1/2 cup half and half", [("half and half", "")]),
+        ("To serve: cranberry sauce and bread dumplings", [("cranberry sauce", ""), ("bread dumplings", "")]),
+        ("2 nests medium egg noodles", [("egg noodles", "")]),
     ],
 )
 def test_a_line_asks_for_each_of_its_foods(line, foods):

@@ -71,3 +71,10 @@ def test_bread_of_a_salad_that_no_fat_is_listed_beside_is_toasted_dry(steps):
     told = steps("salad", "", "lettuce:whole leafy", "oil:liquid", "mustard:creamy", "bread:sliced")
     assert inside(told, "bake") == {"bread"}
     assert "bread" not in inside(told, "mix")
+
+
+def test_what_was_stirred_in_a_saucepan_is_poured_and_no_turner_lifts_it(steps):
+    told = steps("pudding", "Banana Pudding", "sugar:granulated", "flour:powder", "egg:separated", "milk:liquid",
+                 "vanilla extract:liquid", "vanilla wafers:whole", "banana:sliced")  # fmt: skip
+    moved = [motion for things, motion, _ in told if {"baking dish", "saucepan"} <= things]
+    assert moved == ["pour"]

@@ -35,7 +35,7 @@ def is_wet(stuff: Stuff, known: Tables) -> bool:
         return True
     if is_heated(stuff.states, known):
         return not _has_set(stuff, foods, known) and _has_liquid_left(foods)
-    return any(food.is_a("liquid", "creamy", "water", "egg") for food in foods)
+    return any(food.is_a(*word_list("makes a mixture wet")) for food in foods)
 
 
 def _stays_liquid(stuff: Stuff, foods: Sequence[Food]) -> bool:
