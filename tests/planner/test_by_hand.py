@@ -142,3 +142,19 @@ def test_flesh_in_pieces_is_fried_with_its_vegetables_and_then_laid_on_bread():
 def test_meat_that_is_done_is_not_cooked_again_for_bread():
     found = units("sandwich", "Roast Beef Sandwich", rye_bread="", roast_beef="sliced", cheese="", tomato="sliced")
     assert not [unit for unit in found if KNOWN.motion(unit.motion).does & {"heat"}]
+
+
+SPOONED = {
+    "fruit": ("Summer pudding", {"raspberry": "", "redcurrant": "", "sugar": "granulated", "white_bread": "sliced"}),
+    "custard": ("Banana pudding", {"egg_yolk": "", "whole_milk": "liquid", "flour": "", "sugar": "granulated",
+                                   "vanilla_wafer": "", "banana": "sliced"}),
+}  # fmt: skip
+"""Puddings of what was cooked in a saucepan and has no form."""
+
+
+@pytest.mark.parametrize(("title", "foods"), SPOONED.values(), ids=SPOONED)
+def test_nobody_lifts_out_of_a_saucepan_with_a_turner_what_has_no_form(title, foods):
+    found = units("pudding", title, **foods)
+    emptied = [unit for unit in found if any(n.label == "saucepan" and "empty" in n.states for n in unit.output_nodes)]
+    assert emptied
+    assert all("turner" not in labels(unit) for unit in emptied)

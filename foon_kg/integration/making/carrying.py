@@ -10,7 +10,7 @@ from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_
 from foon_kg.integration.joining.batters import binds
 from foon_kg.integration.joining.course import Plan
 from foon_kg.integration.making.bringing import Bringing, Transport, only_brings, pours
-from foon_kg.integration.making.consistency import SOLID, form_together, is_uncut
+from foon_kg.integration.making.consistency import SOLID, form_together, is_shaped, is_uncut
 from foon_kg.integration.making.water import JUG, TAP, Water
 from foon_kg.integration.preparing.preparation import Ready, Want
 from foon_kg.integration.preparing.preparer import Preparer
@@ -176,12 +176,25 @@ class Carrier:
         """Return the ways to bring what is ``moved`` out of a vessel, that of the recorded ``stage`` first."""
         form = form_together(moved, self.known, whole=whole)
         ways = self._usual_ways(form, stage)
-        solid = whole or any(not SOLID.isdisjoint(stuff.states) for stuff in moved)
-        if form == "whole" and solid:
-            ways = self._lifting(ways, source)
+        if form == "whole":
+            solid = whole or any(not SOLID.isdisjoint(stuff.states) for stuff in moved)
+            ways = self._lifting(ways, source) if solid else self._spooning(ways, moved, source)
         if self._is_in_tin(source):
             return [way for way in ways if not way[1]] or ways  # nothing reaches under it
         return self._with_tools(ways) if source.hot else ways
+
+    def _spooning(self, ways: list[Way], stuffs: Sequence[Stuff], source: Vessel) -> list[Way]:
+        """Return the ways to move what has no form; out of a deep vessel it is spooned: a custard, but no dough."""
+        row = self.known.utensil(source.label)
+        deep = row is not None and row.group in word_list("is spooned out of")
+        spoons = self._by_the_spoon()
+        if not deep or not spoons or is_shaped(stuffs, self.known) or any(map(self._is_raw_dough, stuffs)):
+            return ways
+        return [*spoons, *(way for way in ways if way[0] not in word_list("picks up"))]
+
+    def _is_raw_dough(self, stuff: Stuff) -> bool:
+        foods = map(self.known.foods.food, stuff.foods)
+        return not is_heated(stuff.states, self.known) and any(food.is_a("dough", "flour") for food in foods)
 
     def _usual_ways(self, form: str, stage: Stage) -> list[Way]:
         """Return the usual ways to bring foods of a form out of a vessel, that of the recorded ``stage`` first."""

@@ -87,7 +87,7 @@ def form_together(stuffs: Sequence[Stuff], known: Tables, *, whole: bool) -> str
 
     ``known`` are the tables; ``whole``: they are one piece, whatever they look like.
     """
-    if whole or _is_shaped(stuffs, known):
+    if whole or is_shaped(stuffs, known):
         return "whole"
     if len(stuffs) > 1 or any(_runs(stuff, known) for stuff in stuffs):
         return "liquid"
@@ -104,8 +104,11 @@ def _is_stirred_in_pot(stuff: Stuff, known: Tables) -> bool:
     return row is not None and row.group == "pots" and not is_uncut(stuff, known)
 
 
-def _is_shaped(stuffs: Sequence[Stuff], known: Tables) -> bool:
-    """Whether one of some foods has a form of its own, or is flesh in one piece with nothing around it that runs."""
+def is_shaped(stuffs: Sequence[Stuff], known: Tables) -> bool:
+    """Return whether one of ``stuffs`` has a form of its own by the tables ``known``.
+
+    So has flesh in one piece with nothing around it that runs.
+    """
     if any(says(stuff.states, "keeps its shape") for stuff in stuffs):
         return True
     solids = [stuff for stuff in stuffs if stuff.mixed or not known.foods.food(stuff.label).is_a("fat")]
