@@ -6,6 +6,8 @@ import difflib
 from array import array
 from collections.abc import Iterable, Mapping, Sequence
 
+import numpy as np
+
 from foon_kg.food import singular
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.operators import LIKE_AT_ALL
@@ -95,8 +97,9 @@ class FoodLikes:
 
     def others(self, food: str) -> list[tuple[str, float]]:
         """Return the known foods that are like a food at all, be they not fairly so, the likest first."""
-        pairs = zip(self.foods, self.row(food), strict=True)
-        found = [(name, sure) for name, sure in pairs if sure >= LIKE_AT_ALL and name != food]
+        row = self.row(food)
+        like = np.flatnonzero(np.frombuffer(row) >= LIKE_AT_ALL)  # of hundreds of foods few are
+        found = [(self.foods[place], row[place]) for place in like if self.foods[place] != food]
         return sorted(found, key=lambda pair: (-pair[1], pair[0]))
 
     def of_recipe(self, wants: Sequence[Want]) -> RecipeLikes:
@@ -146,8 +149,8 @@ class RecipeLikes:
 
     def others(self, food: str, chosen: str) -> list[tuple[str, float]]:
         """Return the known foods, the likest first, that a person may choose for a food instead of the chosen one."""
-        fair = list(self(food))
-        found = [*fair, *(pair for pair in self._likes.others(singular(food)) if pair[0] not in dict(fair))]
+        fair = dict(self(food))
+        found = [*fair.items(), *(pair for pair in self._likes.others(singular(food)) if pair[0] not in fair)]
         return [pair for pair in found if pair[0] != chosen]
 
     def meet(self, foods: Iterable[str]) -> None:
