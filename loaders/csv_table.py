@@ -23,13 +23,10 @@ class TableRow:
 
 
 def columns_of(text: str) -> tuple[str, ...]:
-    """Return the names on the first line of the ``text`` of a table, in small letters.
-
-    None where that line is no row.
-    """
-    first = text.removeprefix("\ufeff").splitlines()[:1]
+    """Return the names on the first line of the ``text`` of a table, in small letters; no name if it is no row."""
+    first = io.StringIO(text.removeprefix("\ufeff"), newline="").readline()  # a table may be long
     try:
-        return _names(next(csv.reader(first), []))
+        return _names(next(csv.reader([first]), []))
     except csv.Error:
         return ()
 

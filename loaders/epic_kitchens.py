@@ -108,7 +108,7 @@ def _nouns(line: int, row: Mapping[str, str], journal: Journal) -> Sequence[str]
 
 def _spoken(noun: str) -> str:
     """Return "olive oil" for "oil:olive", "washing up liquid" for "liquid:washing:up": the first part comes last."""
-    head, *kind = (part.strip().replace("_", " ") for part in noun.split(":"))
+    head, *kind = (" ".join(part.replace("_", " ").split()) for part in noun.split(":"))
     return " ".join(part for part in (*kind, head) if part)
 
 

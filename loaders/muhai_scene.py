@@ -145,9 +145,7 @@ class Scene:
     def move(self, out: str, source: Held, target: Held, motion: str, *, with_: tuple[ObjectNode, ...] = ()) -> None:
         """Add a unit of ``motion`` in which all in ``source`` comes to what is in ``target``.
 
-        ``out`` stands for that then.
-
-        ``with_`` are the tools that it takes.
+        ``out`` stands for that then; ``with_`` are the tools that it takes.
         """
         after = target.of((*target.foods, *source.foods))
         moved = after.foods[-len(source.foods) :]

@@ -156,10 +156,7 @@ class Journal:
         self._notices: list[Notice] = []
 
     def remark(self, line: int | None, remark: Remark) -> None:
-        """Note a ``remark`` on a ``line`` (from 1.
-
-        ``None`` for the whole file): something odd that was read all the same.
-        """
+        """Note a ``remark`` on what is odd in a ``line`` (from 1; ``None``: the whole file); it was read."""
         self._notices.append(Notice(self._file, line, remark.kind, remark.message, remark.action))
 
     def reject(self, line: int | None, problem: Problem) -> None:

@@ -45,6 +45,11 @@ def test_a_noun_with_its_kind_is_said_as_people_say_it():
     assert action.objects == (Mention("washing up liquid"),)
 
 
+def test_a_noun_without_a_word_is_passed_over():
+    (action,) = actions("1,v,,,chop onion,chop,onion,\"['onion', '_', ' : ', 'board']\"")
+    assert action.objects == (Mention("onion"), Mention("board"))
+
+
 def test_actions_come_by_their_start_and_without_time_behind_the_one_before():
     rows = ("1,v,00:00:09,00:00:10,a,chop,a,['a']", "2,v,,,b,chop,b,['b']", "3,v,00:00:01,00:00:02,c,chop,c,['c']")
     assert [action.said for action in actions(*rows)] == ["c", "a", "b"]
