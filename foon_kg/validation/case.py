@@ -13,8 +13,8 @@ from foon_kg.food.told_states import in_turn
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.tree import TaskTree, TreeUnit
 from foon_kg.validation.foon import KnownFoon
-from foon_kg.world import Happening, Lump, Part, World
-from foon_kg.world.reading import Reader, Said
+from foon_kg.world import Lump, Part, PlayedStep, World
+from foon_kg.world.reading import NodeReading, Reader
 
 FREE = word_list("free foods")
 """The foods that may be used unasked where no setting says otherwise (C5)."""
@@ -58,7 +58,7 @@ class Case:
         return world
 
     @property
-    def happenings(self) -> list[Happening]:
+    def happenings(self) -> list[PlayedStep]:
         """What happened in each unit."""
         return self.world.happenings
 
@@ -67,7 +67,7 @@ class Case:
         """What is known of cooking."""
         return self.world.tables
 
-    def read(self, node: ObjectNode) -> Said:
+    def read(self, node: ObjectNode) -> NodeReading:
         """Return what a node says."""
         said = self._said.get(id(node))
         if said is None:
@@ -75,7 +75,7 @@ class Case:
         return said
 
     @cached_property
-    def _said(self) -> dict[int, Said]:
+    def _said(self) -> dict[int, NodeReading]:
         return {}  # by identity: the tree keeps its nodes, and to compare them costs more than all else
 
     @cached_property

@@ -13,8 +13,8 @@ from foon_kg.model import DISH_TYPES, ObjectNode
 from foon_kg.validation.case import Case, was_taken_out
 from foon_kg.validation.dish import missing_namesakes
 from foon_kg.validation.report import Finding
-from foon_kg.world import Happening
-from foon_kg.world.reading import Said
+from foon_kg.world import PlayedStep
+from foon_kg.world.reading import NodeReading
 
 _CLOSES = ("switch off", "close", "uncover", "open", "detach", "discard", "clean")
 _ENABLES = ("switch on", "attach", "warm")
@@ -142,7 +142,7 @@ def _leads_to_the_end(case: Case) -> set[int]:
     return leads
 
 
-def _serves(happening: Happening, inside: set[int], *, before_the_end: bool) -> bool:
+def _serves(happening: PlayedStep, inside: set[int], *, before_the_end: bool) -> bool:
     """Whether a step works on what is in the dish, by the identities of its parts, or makes a later step possible."""
     lumps = [*happening.outputs.values(), *(lump for lump, _, _ in happening.moved)]
     if any(id(part) in inside for lump in lumps for part in lump.parts):
@@ -239,7 +239,7 @@ def _brought_on(case: Case, node: ObjectNode, place: int) -> bool:
     return bool(said.names) and said.names.isdisjoint(fetched)
 
 
-def _utensil_fault(case: Case, said: Said) -> str:
+def _utensil_fault(case: Case, said: NodeReading) -> str:
     if said.utensil is not None and said.utensil.always_on:
         return ""
     if said.on or said.hot:
@@ -253,11 +253,11 @@ def _utensil_fault(case: Case, said: Said) -> str:
     return ""
 
 
-def _keeps_food(said: Said) -> bool:
+def _keeps_food(said: NodeReading) -> bool:
     return said.utensil is not None and said.utensil.role == "storage"
 
 
-def _food_fault(case: Case, said: Said) -> str:
+def _food_fault(case: Case, said: NodeReading) -> str:
     """Return why a kitchen has no food as a leaf says; nothing where it has."""
     if _is_put_somewhere(said):
         return f"it is in the {said.place} before anybody put it there"
@@ -271,7 +271,7 @@ def _food_fault(case: Case, said: Said) -> str:
     return ""
 
 
-def _is_put_somewhere(said: Said) -> bool:
+def _is_put_somewhere(said: NodeReading) -> bool:
     """Whether a food is told in a vessel or tool, into which somebody has to put it."""
     place = said.place_utensil
     return place is not None and place.role != "place" and not place.always_on and not place.keeps_food

@@ -9,7 +9,7 @@ from foon_kg.model import ObjectNode
 from foon_kg.model.tree import Step
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
-from foon_kg.world import Happening, Part
+from foon_kg.world import Part, PlayedStep
 from foon_kg.world.running import is_runny
 
 _AS_POWDER = 5
@@ -29,7 +29,7 @@ def picked_up(case: Case) -> Iterator[Finding]:
                 yield Finding("W4", f"{node.label} runs, and is picked up", happening.number, (node,))
 
 
-def _has_scoop(happening: Happening) -> bool:
+def _has_scoop(happening: PlayedStep) -> bool:
     return any(vessel.row.role == "tool" and "scoop" in vessel.row.can for vessel in happening.vessels)
 
 
@@ -42,7 +42,7 @@ def too_hard(case: Case) -> Iterator[Finding]:
             yield from _ground_by_a_knife(happening, case)
 
 
-def _ground_by_a_knife(happening: Happening, case: Case) -> Iterator[Finding]:
+def _ground_by_a_knife(happening: PlayedStep, case: Case) -> Iterator[Finding]:
     """Yield each food that a cut is said to make as fine as powder and that is not soft."""
     before = {state for mention in happening.step.inputs for state in mention.node.states}
     for node, lump in happening.outputs.items():
@@ -78,7 +78,7 @@ def broken_raw(case: Case) -> Iterator[Finding]:
                 yield Finding("W4", f"nobody breaks {node.label} by hand", happening.number, (node,))
 
 
-def _has_tool(happening: Happening) -> bool:
+def _has_tool(happening: PlayedStep) -> bool:
     return not happening.does("cut") or any(vessel.row.role == "tool" for vessel in happening.vessels)
 
 
@@ -88,7 +88,7 @@ def _wants_a_knife(part: Part) -> bool:
     return raw and not part.food.is_any(word_list("is broken by hand"))
 
 
-def _grated_small(happening: Happening) -> Iterator[Finding]:
+def _grated_small(happening: PlayedStep) -> Iterator[Finding]:
     for mention in happening.step.inputs:
         small = word_list("is too small for a grater") & set(mention.node.states)
         if small:

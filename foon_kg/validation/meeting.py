@@ -9,7 +9,7 @@ from foon_kg.food import words
 from foon_kg.food.lists import says, word_list
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
-from foon_kg.world import Happening, Lump, Part, Vessel
+from foon_kg.world import Lump, Part, PlayedStep, Vessel
 
 
 def hot_on_cold(case: Case) -> Iterator[Finding]:
@@ -56,7 +56,7 @@ def lumpy(case: Case) -> Iterator[Finding]:
         _keep_hot(happening, hot)
 
 
-def _is_dry_starch(lump: Lump, happening: Happening) -> bool:
+def _is_dry_starch(lump: Lump, happening: PlayedStep) -> bool:
     """Whether what moved is starch or flour by itself, as it comes out of its packet."""
     mention = next((node for node, one in happening.outputs.items() if one is lump), None)
     if mention is None or mention.ingredients or says(mention.states, "runs"):
@@ -64,7 +64,7 @@ def _is_dry_starch(lump: Lump, happening: Happening) -> bool:
     return any(part.food.kind in word_list("makes lumps") and part.name == lump.label for part in lump.parts)
 
 
-def _keep_hot(happening: Happening, hot: dict[int, set[str]]) -> None:
+def _keep_hot(happening: PlayedStep, hot: dict[int, set[str]]) -> None:
     """Keep by vessel the foods that were heated in it; what cools or is emptied holds none."""
     gone = [*happening.emptied, *(happening.vessels if happening.does("wait", "clean") else ())]
     for vessel in gone:
@@ -73,7 +73,7 @@ def _keep_hot(happening: Happening, hot: dict[int, set[str]]) -> None:
         hot[id(vessel)] |= _inside(happening, vessel)
 
 
-def _inside(happening: Happening, vessel: Vessel) -> set[str]:
+def _inside(happening: PlayedStep, vessel: Vessel) -> set[str]:
     """Return the foods that a step says to be in a vessel."""
     nodes = [mention.node for mention in happening.step.inputs if mention.node.label == vessel.label]
     return {food for node in nodes for food in node.ingredients}

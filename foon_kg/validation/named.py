@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from foon_kg.food.named import Named, named_by
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
-from foon_kg.world import Happening, Part
+from foon_kg.world import Part, PlayedStep
 
 
 def unheeded(case: Case) -> Iterator[Finding]:
@@ -38,6 +38,6 @@ def _is_done_to(case: Case, one: Named, part: Part) -> bool:
     return len(one.in_time(found, hot)) >= one.times
 
 
-def _treats(happening: Happening, part: Part) -> bool:
+def _treats(happening: PlayedStep, part: Part) -> bool:
     lumps = (*happening.treated, *(lump for vessel in happening.heated for lump in vessel.lumps))
     return any(part.origin == other.origin for lump in lumps for other in lump.parts)

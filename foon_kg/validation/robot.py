@@ -7,8 +7,8 @@ from itertools import pairwise
 
 from foon_kg.validation.case import Case, was_taken_out
 from foon_kg.validation.report import Finding
-from foon_kg.world import Happening, Lump, Part, Vessel
-from foon_kg.world.reading import Said
+from foon_kg.world import Lump, Part, PlayedStep, Vessel
+from foon_kg.world.reading import NodeReading
 
 MOST_WAITING = 4
 """How many units may prepare other food while food waits in a hot vessel."""
@@ -45,14 +45,14 @@ def idle(case: Case) -> Iterator[Finding]:
     yield from _moved_for_nothing(case)
 
 
-def _moves_nothing(happening: Happening) -> bool:
+def _moves_nothing(happening: PlayedStep) -> bool:
     """Whether a step brings nothing to another place, and its motion does not do something else as well."""
     if happening.does(*_WORKS_IN_PLACE) or happening.moved or happening.vessels_moved:
         return False
     return not (happening.made and len(happening.inputs) > 1)  # a sandwich is laid together where its bread lies
 
 
-def _can(happening: Happening, abilities: frozenset[str]) -> bool:
+def _can(happening: PlayedStep, abilities: frozenset[str]) -> bool:
     """Whether a vessel or tool of a step can do one of these, or what it stands on, or that in which an input is."""
     if any(not place.row.can.isdisjoint(abilities) for vessel in happening.vessels for place in vessel.stack()):
         return True
@@ -97,7 +97,7 @@ def _moved_for_nothing(case: Case) -> Iterator[Finding]:
                 return
 
 
-def _moved_on(earlier: Happening, later: Happening) -> list[tuple[Lump, Vessel]]:
+def _moved_on(earlier: PlayedStep, later: PlayedStep) -> list[tuple[Lump, Vessel]]:
     """Return the foods that two steps both move, by name, each with the place out of which the later one takes it."""
     brought = {id(lump) for lump, _, now in earlier.moved if now is not None}
     again = [(lump, before) for lump, before, _ in later.moved if id(lump) in brought and before is not None]
@@ -115,11 +115,11 @@ def never_lit(case: Case) -> Iterator[Finding]:
                 yield Finding("K7", f"the {vessel.label} stood over what was never turned on", happening.number)
 
 
-def _is_over_heat(said: Said) -> bool:
+def _is_over_heat(said: NodeReading) -> bool:
     return said.place_utensil is not None and said.place_utensil.source == "heat"
 
 
-def _only_moved(happening: Happening) -> bool:
+def _only_moved(happening: PlayedStep) -> bool:
     return happening.motion.does <= {"move", "fetch", "scatter"}
 
 
@@ -152,7 +152,7 @@ class _Waits:
         self.steps: dict[int, int] = {}
         self.told: set[int] = set()
 
-    def too_long(self, happening: Happening) -> Iterator[Vessel]:
+    def too_long(self, happening: PlayedStep) -> Iterator[Vessel]:
         """Count a step, and yield each vessel that has waited too long with it, each once."""
         moved_to = [now for _, _, now in happening.moved if now is not None]
         touched = {id(vessel) for vessel in (*happening.vessels, *happening.heated, *moved_to)}
@@ -165,19 +165,19 @@ class _Waits:
                 yield vessel
 
 
-def _prepares(happening: Happening) -> bool:
+def _prepares(happening: PlayedStep) -> bool:
     return happening.does(
         "cut", "peel", "grate", "open", "core", "clean", "mash", "grind", "move", "fetch", "shape", "mix"
     )
 
 
-def _fetches_water(happening: Happening) -> bool:
+def _fetches_water(happening: PlayedStep) -> bool:
     return any(vessel.row.source == "water" for vessel in happening.vessels) and any(
         part.food.is_a("water") for lump in happening.outputs.values() for part in lump.parts
     )
 
 
-def _fried_dry(happening: Happening) -> Iterator[Finding]:
+def _fried_dry(happening: PlayedStep) -> Iterator[Finding]:
     """Yield the vessels in which a step fries food, with nothing in them that keeps this from the metal."""
     for vessel in happening.heated if happening.does("fat") else ():
         parts = [part for lump in vessel.lumps for part in lump.parts]

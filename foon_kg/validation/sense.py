@@ -9,7 +9,7 @@ from foon_kg.food.lists import says, word_list
 from foon_kg.validation.case import Case, names
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import never_lit, of_world
-from foon_kg.world import Happening, Lump, Part, Vessel
+from foon_kg.world import Lump, Part, PlayedStep, Vessel
 
 _GROUND = 4
 """As fine as this (crushed, grated), a topping binds what it is stirred into."""
@@ -104,7 +104,7 @@ def _misread(case: Case) -> Iterator[Finding]:
             )
 
 
-def _dough(happening: Happening) -> Iterator[Finding]:
+def _dough(happening: PlayedStep) -> Iterator[Finding]:
     for lump in happening.made:
         if lump.label.rpartition(" ")[2] in {"dough", "batter"}:
             pasta = [part.name for part in lump.parts if part.food.is_a("dry starch") and "boil" in part.done]
@@ -112,16 +112,16 @@ def _dough(happening: Happening) -> Iterator[Finding]:
                 yield Finding("K7", f"{lump.label} is made of cooked {pasta[0]}", happening.number)
 
 
-def _strains(happening: Happening) -> bool:
+def _strains(happening: PlayedStep) -> bool:
     return any("strain" in vessel.row.can for vessel in happening.vessels)
 
 
-def _all_fat(happening: Happening) -> bool:
+def _all_fat(happening: PlayedStep) -> bool:
     parts = [part for lump in happening.inputs for part in lump.parts]
     return bool(parts) and all(part.food.is_a("fat") for part in parts)
 
 
-def _ungreased(case: Case, happening: Happening) -> Iterator[Finding]:
+def _ungreased(case: Case, happening: PlayedStep) -> Iterator[Finding]:
     """Yield the moulds and trays in which a step bakes a dough or batter that sticks to them."""
     for vessel in happening.heated:
         sticks = "bake" in vessel.row.can and any(_sticks(lump) for lump in vessel.lumps)
@@ -133,7 +133,7 @@ def _sticks(lump: Lump) -> bool:
     return lump.mixed and any(part.food.is_a("flour", "dough", "egg") for part in lump.parts)
 
 
-def _is_greased(case: Case, vessel: Vessel, until: Happening) -> bool:
+def _is_greased(case: Case, vessel: Vessel, until: PlayedStep) -> bool:
     """Whether fat came into a vessel up to a step, or a node says that it is greased or lined."""
     for happening in case.happenings[: until.number + 1]:
         if any(now is vessel and _greases(lump) for lump, _, now in happening.moved):

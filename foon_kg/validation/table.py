@@ -13,7 +13,7 @@ from foon_kg.validation.case import Case
 from foon_kg.validation.meeting import hot_on_cold, lumpy
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import of_world
-from foon_kg.world import Happening, Part
+from foon_kg.world import Part, PlayedStep
 
 ENOUGH = {
     "cut": frozenset({"cut", "grate", "grind", "blend", "mash"}),
@@ -174,7 +174,7 @@ def _after_the_heat(case: Case) -> Iterator[Finding]:
             yield Finding("K3", f"{part.name} comes after the last cooking", part.joined, minor=True)
 
 
-def _killed(case: Case, happening: Happening) -> Iterator[Finding]:
+def _killed(case: Case, happening: PlayedStep) -> Iterator[Finding]:
     """Yield what makes dough rise where it is mixed with water that boiled and did not cool."""
     if not happening.does("mix", "knead"):
         return
@@ -207,12 +207,12 @@ def _cooked_too_much(case: Case) -> Iterator[Finding]:
             yield Finding("K3", reason, happening.number, minor=True)
 
 
-def _over_heat(happening: Happening) -> list[Part]:
+def _over_heat(happening: PlayedStep) -> list[Part]:
     """Return the parts of all foods in the vessels that a step heats."""
     return [part for vessel in happening.heated for lump in vessel.lumps for part in lump.parts]
 
 
-def _peeled_hot(happening: Happening) -> Iterator[Finding]:
+def _peeled_hot(happening: PlayedStep) -> Iterator[Finding]:
     if not happening.does("peel", "shell"):
         return
     for part in (part for lump in happening.treated for part in lump.parts):
@@ -236,14 +236,14 @@ def tools(case: Case) -> Iterator[Finding]:
             yield from _with_a_lid(case, happening)
 
 
-def _with_a_lid(case: Case, happening: Happening) -> Iterator[Finding]:
+def _with_a_lid(case: Case, happening: PlayedStep) -> Iterator[Finding]:
     """Yield a step that has a lid, and no tool or appliance to do its work with."""
     lids = [node for node in happening.tools if _is_lid(case, node.label)]
     if lids and not any(vessel.row.role in {"tool", "appliance"} for vessel in happening.vessels):
         yield Finding("K4", f"“{happening.step.motion}” with a lid", happening.number, (lids[0],))
 
 
-def _has(happening: Happening, *abilities: str) -> bool:
+def _has(happening: PlayedStep, *abilities: str) -> bool:
     return any(not vessel.row.can.isdisjoint(abilities) for vessel in happening.vessels)
 
 

@@ -7,8 +7,8 @@ judge use it alike; nothing here plans or judges. ``world.py`` says what a step 
 from __future__ import annotations
 
 from foon_kg.model.tree import Mention, Step
-from foon_kg.world.happening import Happening, Mishap
+from foon_kg.world.played_step import Mishap, PlayedStep
 from foon_kg.world.things import Lump, Part, Vessel
 from foon_kg.world.world import World
 
-__all__ = ["Happening", "Lump", "Mention", "Mishap", "Part", "Step", "Vessel", "World"]
+__all__ = ["Lump", "Mention", "Mishap", "Part", "PlayedStep", "Step", "Vessel", "World"]

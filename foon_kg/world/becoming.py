@@ -6,11 +6,11 @@ from collections.abc import Iterable, Sequence
 from functools import lru_cache
 
 from foon_kg.food import Food, Tables, words
-from foon_kg.world.reading import Said
+from foon_kg.world.reading import NodeReading
 from foon_kg.world.things import Lump
 
 
-def is_product(known: Tables, one: Said) -> bool:
+def is_product(known: Tables, one: NodeReading) -> bool:
     """Return whether ``one``, a food output, is something that is made of foods: a dish, a dough, a dressing.
 
     ``known`` are the tables that say so of its name.
@@ -18,7 +18,7 @@ def is_product(known: Tables, one: Said) -> bool:
     return len(one.names - {one.label}) > 1 or known.foods.food(one.label, one.node.states).is_a("made", "dough")
 
 
-def can_become(known: Tables, one: Said, sources: Sequence[Lump]) -> bool:
+def can_become(known: Tables, one: NodeReading, sources: Sequence[Lump]) -> bool:
     """Return whether ``sources`` can make what ``one``, a food output, says.
 
     A product needs what its name promises (dough: flour or its like); a plain food comes only of itself, by any name
@@ -34,7 +34,7 @@ def can_become(known: Tables, one: Said, sources: Sequence[Lump]) -> bool:
     return any(food.kind == facts.kind or food.kind in facts.kinds or facts.kind in food.kinds for food in parts)
 
 
-def _may_come_of_anything(one: Said, facts: Food, known: Tables) -> bool:
+def _may_come_of_anything(one: NodeReading, facts: Food, known: Tables) -> bool:
     """Whether nothing is known of what a food comes of, except what its name needs: a product, a rest, an unknown."""
     if one.names or one.remains or not facts.known or one.label in known.contains:
         return True

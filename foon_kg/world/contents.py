@@ -8,7 +8,7 @@ from foon_kg.food import Utensil, is_among
 from foon_kg.food.lists import says
 from foon_kg.model import ObjectNode
 from foon_kg.world.outcome import WORKS, Outcome
-from foon_kg.world.reading import Said
+from foon_kg.world.reading import NodeReading
 from foon_kg.world.things import Lump, Vessel
 
 _LETS_GO = ("separate", "discard", "clean")
@@ -141,8 +141,8 @@ def _clings(out: Outcome, name: str, lump: Lump) -> Lump | None:
     The rest of the fat stays in the pan with it, that of a coat in a vessel of its own.
     """
     heats, coats = out.happening.does("heat"), out.happening.does("coat")
-    told = (out.happening.outputs.get(mention.node) for mention in out.mentions)
-    for one in told if heats or coats else ():
+    outputs = (out.happening.outputs.get(mention.node) for mention in out.mentions)
+    for one in outputs if heats or coats else ():
         if one is None or one is lump or name not in _held(one):
             continue
         if _is_fat_beside(one, lump) if heats else _stays_in_its_bowl(out, one, lump):
@@ -213,7 +213,7 @@ def _out_of_nowhere(out: Outcome, name: str, node: ObjectNode, where: Vessel | N
         out.supply.keep(into, into.where)
 
 
-def _fill(out: Outcome, one: Said, vessel: Vessel) -> None:
+def _fill(out: Outcome, one: NodeReading, vessel: Vessel) -> None:
     """Bring into a vessel what its output node holds and what has not come there yet."""
     for name in sorted(one.names - vessel.names) if one.names else ():
         lump = _to_be_moved(out, name, vessel)
@@ -227,7 +227,7 @@ def _fill(out: Outcome, one: Said, vessel: Vessel) -> None:
         _empty(out, vessel)
 
 
-def _is_poured_out(out: Outcome, one: Said, vessel: Vessel) -> bool:
+def _is_poured_out(out: Outcome, one: NodeReading, vessel: Vessel) -> bool:
     """Whether a vessel that is told without contents was poured out: another one holds them by its node."""
     if one.names or not vessel.lumps or not out.happening.does("move"):
         return False

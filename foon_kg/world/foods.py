@@ -10,7 +10,7 @@ from foon_kg.model import ObjectNode
 from foon_kg.model.tree import Mention
 from foon_kg.world.becoming import can_become, is_product
 from foon_kg.world.outcome import JOINS, WORKS, Outcome
-from foon_kg.world.reading import Said
+from foon_kg.world.reading import NodeReading
 from foon_kg.world.things import Lump, Part, Vessel
 
 
@@ -51,7 +51,7 @@ def _is_same(out: Outcome, place: int) -> bool:
     return True
 
 
-def _same(out: Outcome, mention: Mention, one: Said) -> Lump | None:
+def _same(out: Outcome, mention: Mention, one: NodeReading) -> Lump | None:
     """Return the food that went in and that an output is; ``None`` where it was made of what went in."""
     numbered = None if mention.thing is None else out.supply.numbered_lumps.get(mention.thing)
     if numbered is not None:
@@ -62,14 +62,14 @@ def _same(out: Outcome, mention: Mention, one: Said) -> Lump | None:
     return None if is_product(out.tables, one) else _known_by_a_part(out, one)
 
 
-def _likest(out: Outcome, one: Said, named: Sequence[Lump]) -> Lump:
+def _likest(out: Outcome, one: NodeReading, named: Sequence[Lump]) -> Lump:
     """Return of ``named`` foods the one an output is: an input, that is no other output, in most of its states."""
     inputs = [lump for lump in named if lump in out.happening.inputs] or named
     fresh = [lump for lump in inputs if id(lump) not in out.mapped]
     return max(fresh or inputs, key=lambda lump: len(set(lump.states) & set(one.node.states)))
 
 
-def _known_by_a_part(out: Outcome, one: Said) -> Lump | None:
+def _known_by_a_part(out: Outcome, one: NodeReading) -> Lump | None:
     """Return the first food that has a part of an output's name, unless others are mixed into it."""
     for lump in out.lumps():
         if any(part.name == one.label for part in lump.parts):
@@ -77,11 +77,11 @@ def _known_by_a_part(out: Outcome, one: Said) -> Lump | None:
     return None
 
 
-def _named_twice(out: Outcome, one: Said) -> bool:
+def _named_twice(out: Outcome, one: NodeReading) -> bool:
     return sum(other.utensil is None and set(one.label.split()) <= set(other.label.split()) for other in out.said) > 1
 
 
-def _is_left_over(out: Outcome, one: Said) -> bool:
+def _is_left_over(out: Outcome, one: NodeReading) -> bool:
     """Whether a food output is what nobody eats: a skin, or what is left of what was squeezed for its juice."""
     if one.remains:
         return True
@@ -89,7 +89,7 @@ def _is_left_over(out: Outcome, one: Said) -> bool:
     return out.happening.does("separate") and bool(juices) and not out.is_liquid(one) and _named_twice(out, one)
 
 
-def _portion(out: Outcome, lump: Lump, one: Said, mention: Mention, *, remains: bool) -> Lump:
+def _portion(out: Outcome, lump: Lump, one: NodeReading, mention: Mention, *, remains: bool) -> Lump:
     parts = [part.copy(remains=remains) for part in lump.parts]
     out.supply.parts += parts
     portion = Lump(one.label, {one.label}, lump.states, parts, number=mention.thing, made=lump.made)
@@ -114,11 +114,11 @@ def _settle(out: Outcome, lump: Lump, place: int) -> None:
         _join_all(out, lump)
 
 
-def _gathers(out: Outcome, one: Said, lump: Lump) -> bool:
+def _gathers(out: Outcome, one: NodeReading, lump: Lump) -> bool:
     return len(one.names - {one.label}) > 1 or (lump.made and is_product(out.tables, one))
 
 
-def _place(out: Outcome, one: Said, node: ObjectNode, lump: Lump) -> Vessel | None:
+def _place(out: Outcome, one: NodeReading, node: ObjectNode, lump: Lump) -> Vessel | None:
     """Return where an output food is: where its node says, else where it was, unless the step takes it out of there."""
     if one.place is None:
         return None if _is_taken_out(out, lump) else lump.where
@@ -141,7 +141,7 @@ def _is_taken_out(out: Outcome, lump: Lump) -> bool:
     return out.happening.does("fetch", "separate", "move", "open") and out.happening.motion.known
 
 
-def _vessel_called(out: Outcome, one: Said) -> Vessel | None:
+def _vessel_called(out: Outcome, one: NodeReading) -> Vessel | None:
     """Return the vessel that an output food's node names as its place: by its name, its last word, or what it holds."""
     for vessel in chain(out.vessel_of.values(), out.happening.vessels, out.holders(), out.standing()):
         if vessel.label == one.place:
@@ -150,11 +150,11 @@ def _vessel_called(out: Outcome, one: Said) -> Vessel | None:
     for vessel in (*out.happening.vessels, *out.holders()):
         if one.place == vessel.label.rpartition(" ")[2] or vessel.label == short:
             return vessel
-    told = [vessel for place, vessel in out.vessel_of.items() if one.label in out.said[place].names]
-    return told[0] if len(told) == 1 else None  # told by another name: a tray is called a pan
+    called = [vessel for place, vessel in out.vessel_of.items() if one.label in out.said[place].names]
+    return called[0] if len(called) == 1 else None  # told by another name: a tray is called a pan
 
 
-def _on_food(out: Outcome, one: Said, node: ObjectNode, lump: Lump) -> Vessel | None:
+def _on_food(out: Outcome, one: NodeReading, node: ObjectNode, lump: Lump) -> Vessel | None:
     """Return the vessel of the food on which another lies."""
     under = _food_called(out, str(one.place))
     if under is not None:
@@ -202,13 +202,13 @@ def _make(out: Outcome, place: int) -> None:
     out.happening.made.append(product)
 
 
-def _leaves_its_sources(out: Outcome, one: Said) -> bool:
+def _leaves_its_sources(out: Outcome, one: NodeReading) -> bool:
     """Whether a product comes off something that is still there: a peel, the juice of a lemon, a slice of ham."""
     splits = out.happening.does("separate", "open", "shell", "fetch", "cut", "peel", "core", "stone", "husk")
     return one.remains or (splits and not one.names)
 
 
-def _parts_of(out: Outcome, one: Said, sources: Sequence[Lump], *, copied: bool) -> list[Part]:
+def _parts_of(out: Outcome, one: NodeReading, sources: Sequence[Lump], *, copied: bool) -> list[Part]:
     """Return the parts of a product's sources; ``copied`` where these keep their own."""
     parts = [part for lump in sources for part in lump.parts]
     if not copied:
@@ -218,28 +218,28 @@ def _parts_of(out: Outcome, one: Said, sources: Sequence[Lump], *, copied: bool)
     return portions
 
 
-def _new_parts(out: Outcome, one: Said) -> list[Part]:
+def _new_parts(out: Outcome, one: NodeReading) -> list[Part]:
     """Return the part of a product that is made of nothing: it is taken from the kitchen as it is."""
     parts = [out.supply.new_part(one.label, one.node.states, out.happening.number)]
     out.happening.taken += parts
     return parts
 
 
-def _alias(out: Outcome, lump: Lump, one: Said, node: ObjectNode) -> None:
+def _alias(out: Outcome, lump: Lump, one: NodeReading, node: ObjectNode) -> None:
     """Give what was just made a second name: a salad that is also told as the greek salad."""
     lump.names.add(one.label)
     out.happening.outputs[node] = lump
     out.supply.keep(lump, lump.where)
 
 
-def _may_become(out: Outcome, one: Said, sources: Sequence[Lump]) -> bool:
+def _may_become(out: Outcome, one: NodeReading, sources: Sequence[Lump]) -> bool:
     """Whether what went in can make a food; a tap, a can and an appliance give what they hold."""
     if not sources and any(vessel.row.role in {"storage", "appliance"} for vessel in out.happening.vessels):
         return True
     return can_become(out.tables, one, sources)
 
 
-def _sources(out: Outcome, one: Said, where: Vessel | None) -> list[Lump]:
+def _sources(out: Outcome, one: NodeReading, where: Vessel | None) -> list[Lump]:
     """Return the foods of which an output may be made: those that went in, and what is in the vessels that did."""
     explicit = _spent_inputs(out, one)
     works = out.happening.does(*WORKS) or is_product(out.tables, one)
@@ -257,12 +257,12 @@ def _riders(lumps: Sequence[Lump]) -> list[Lump]:
     return [rider for lump in lumps for rider in lump.riders if not rider.gone]
 
 
-def _named_in(vessel: Vessel, one: Said) -> list[Lump]:
+def _named_in(vessel: Vessel, one: NodeReading) -> list[Lump]:
     """Return what is in a vessel of which an output says that it is made."""
     return [lump for lump in vessel.lumps if _is_named(one, lump)]
 
 
-def _spent_inputs(out: Outcome, one: Said) -> list[Lump]:
+def _spent_inputs(out: Outcome, one: NodeReading) -> list[Lump]:
     """Return the inputs that no output is called like; where each is, those that are called otherwise than ``one``."""
     going_in = [lump for lump in out.happening.inputs if not lump.gone]
     return _without_output(out, going_in) or [lump for lump in going_in if lump.label != one.label]
@@ -273,7 +273,7 @@ def _without_output(out: Outcome, lumps: Sequence[Lump]) -> list[Lump]:
     return [lump for lump in lumps if lump.label not in out.food_labels]
 
 
-def _is_named(one: Said, lump: Lump) -> bool:
+def _is_named(one: NodeReading, lump: Lump) -> bool:
     """Whether an output names a food, or a part of it, among its ingredients."""
     return not one.names.isdisjoint(lump.names | {part.name for part in lump.parts})
 

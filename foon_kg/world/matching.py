@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from foon_kg.food import Utensil
-from foon_kg.world.reading import Said
+from foon_kg.world.reading import NodeReading
 from foon_kg.world.things import Lump, Vessel
 
 
-def divides_like(lump: Lump, said: Said) -> bool:
+def divides_like(lump: Lump, said: NodeReading) -> bool:
     """Return whether ``lump`` is in no smaller pieces than a node ``said``, and remains exactly where that says so."""
     if said.undivided:
         return lump.fine == 0 and not lump.mixed
@@ -18,14 +18,14 @@ def divides_like(lump: Lump, said: Said) -> bool:
     return not lump.parts or all(part.remains for part in lump.parts) == said.remains
 
 
-def is_still(lump: Lump, said: Said) -> bool:
+def is_still(lump: Lump, said: NodeReading) -> bool:
     """Return whether ``lump`` is still as the node ``said`` that it came out as."""
     if lump.gone or lump.states != said.node.states:
         return False
     return said.place is None or lump.where is None or said.place_utensil is None or same_place(said.place, lump.where)
 
 
-def place_score(said: Said, lump: Lump, there: Collection[str], *, lies_on: bool | None) -> int:
+def place_score(said: NodeReading, lump: Lump, there: Collection[str], *, lies_on: bool | None) -> int:
     """Return how well the place of a lump is the one that the node ``said``: 0 not at all, 3 the same.
 
     ``there`` are the labels of the vessels that go in; ``lies_on`` says whether the lump lies on the food that the node
@@ -40,7 +40,7 @@ def place_score(said: Said, lump: Lump, there: Collection[str], *, lies_on: bool
     return 3 if same_place(said.place, lump.where) else 0
 
 
-def _score_without_place(said: Said, lump: Lump, there: Collection[str]) -> int:
+def _score_without_place(said: NodeReading, lump: Lump, there: Collection[str]) -> int:
     if lump.where is None:
         return 3
     if lump.where.label in there:
@@ -51,7 +51,7 @@ def _score_without_place(said: Said, lump: Lump, there: Collection[str]) -> int:
     return 1 if lump.where.row.role == "place" or "cut" in lump.where.row.can else 0
 
 
-def _may_lie_nowhere(said: Said) -> bool:
+def _may_lie_nowhere(said: NodeReading) -> bool:
     """Whether what is in the place of a node may be told without one: it is a food, a table, or a packet."""
     return said.place_utensil is None or said.place_utensil.role == "place" or in_storage(said)
 
@@ -66,6 +66,6 @@ def carries(utensil: Utensil | None) -> bool:
     return utensil is not None and utensil.role == "tool" and "scoop" in utensil.can and "hand" not in utensil.can
 
 
-def in_storage(said: Said) -> bool:
+def in_storage(said: NodeReading) -> bool:
     """Return whether the node ``said`` that its food is in what it is sold in, or comes out of a tap."""
     return said.place_utensil is not None and said.place_utensil.keeps_food

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from functools import cached_property
 
 from foon_kg.model import ObjectNode
-from foon_kg.world.happening import Happening
-from foon_kg.world.reading import Said
+from foon_kg.world.played_step import PlayedStep
+from foon_kg.world.reading import NodeReading
 from foon_kg.world.supply import Supply
 from foon_kg.world.things import Lump, Vessel
 
@@ -25,7 +25,7 @@ class Outcome:
     outputs; ``mapped`` the lumps (by identity) that some output is, and so are not moved again.
     """
 
-    def __init__(self, supply: Supply, happening: Happening, before: dict[int, Vessel | None]) -> None:
+    def __init__(self, supply: Supply, happening: PlayedStep, before: dict[int, Vessel | None]) -> None:
         self.supply = supply
         self.tables = supply.reader.tables
         self.happening = happening
@@ -149,6 +149,6 @@ class Outcome:
         places = dict.fromkeys(old for _, old, _ in self.happening.moved if old is not None)
         self.happening.emptied = [vessel for vessel in places if not vessel.lumps]
 
-    def is_liquid(self, one: Said) -> bool:
+    def is_liquid(self, one: NodeReading) -> bool:
         """Return whether ``one``, a food output, is a liquid in the state that it says."""
         return self.tables.foods.food(one.label, one.node.states).is_a("liquid")

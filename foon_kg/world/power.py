@@ -5,15 +5,15 @@ from __future__ import annotations
 from itertools import pairwise
 
 from foon_kg.model import ObjectNode
-from foon_kg.world.happening import Happening
-from foon_kg.world.reading import Said
+from foon_kg.world.played_step import PlayedStep
+from foon_kg.world.reading import NodeReading
 from foon_kg.world.supply import Supply
 from foon_kg.world.things import Lump, Vessel
 
 _SWITCHES = ("switch on", "switch off")
 
 
-def check_inputs(happening: Happening) -> None:
+def check_inputs(happening: PlayedStep) -> None:
     """Tell what of the step ``happening`` cannot be, by what its appliances and hot vessels are.
 
     That is an appliance that is not as its input node says or has nothing to work with, food behind closed doors, a
@@ -30,12 +30,12 @@ def check_inputs(happening: Happening) -> None:
         _check_attached(happening)
 
 
-def burner_of(said: Said) -> str:
+def burner_of(said: NodeReading) -> str:
     """Return the burner that ``said``, an appliance's node, names: the vessel that stands on it; ``""`` for none."""
     return said.covers or (said.place or "" if said.place_utensil is not None else "")
 
 
-def _check_power(vessel: Vessel, said: Said, node: ObjectNode, happening: Happening) -> None:
+def _check_power(vessel: Vessel, said: NodeReading, node: ObjectNode, happening: PlayedStep) -> None:
     """Tell an appliance that is off where its node says on, or on where it says off."""
     if vessel.row.always_on:
         return
@@ -56,7 +56,7 @@ def _light(vessel: Vessel, burner: str) -> None:
     vessel.power[burner if vessel.row.power == "vessel" else ""] = True
 
 
-def _check_hot(vessel: Vessel, node: ObjectNode, happening: Happening) -> None:
+def _check_hot(vessel: Vessel, node: ObjectNode, happening: PlayedStep) -> None:
     """Tell a vessel that is hot on a source that nobody lit; what was hot once may still be so."""
     source = vessel.where
     if source is None or source.row.source != "heat" or vessel.hot:
@@ -67,7 +67,7 @@ def _check_hot(vessel: Vessel, node: ObjectNode, happening: Happening) -> None:
     vessel.hot = True
 
 
-def _check_source(happening: Happening) -> None:
+def _check_source(happening: PlayedStep) -> None:
     """Tell work that takes heat or power, and that has no source of it, or one that is off."""
     source = happening.motion.source
     if source not in {"heat", "power"} or happening.does(*_SWITCHES):
@@ -83,11 +83,11 @@ def _check_source(happening: Happening) -> None:
             _light(vessel, burner)
 
 
-def _nodes_of(happening: Happening) -> tuple[ObjectNode, ...]:
+def _nodes_of(happening: PlayedStep) -> tuple[ObjectNode, ...]:
     return tuple(mention.node for mention in happening.step.inputs[:1])
 
 
-def sources_of(happening: Happening, source: str) -> list[tuple[Vessel, str]]:
+def sources_of(happening: PlayedStep, source: str) -> list[tuple[Vessel, str]]:
     """Return the appliances that give ``source`` (heat, power) in the step ``happening``, each with the burner.
 
     These are inputs, and what an input stands on.
@@ -105,7 +105,7 @@ def _gives(vessel: Vessel, source: str) -> bool:
     return vessel.is_appliance and vessel.row.source == source
 
 
-def heated_vessels(happening: Happening) -> list[Vessel]:
+def heated_vessels(happening: PlayedStep) -> list[Vessel]:
     """Return the vessels in which a step that cooks works: all that hold food and take part in ``happening``.
 
     Storage and tools are none of them.
@@ -124,14 +124,14 @@ def stands_in_oven(vessel: Vessel) -> bool:
     return any(place.row.source == "heat" and place.row.holds == "in" for place in vessel.stack())
 
 
-def _check_attached(happening: Happening) -> None:
+def _check_attached(happening: PlayedStep) -> None:
     for vessel in happening.vessels:
         if vessel.is_appliance and vessel.row.holds == "attached" and vessel.is_on():
             verb = "attached to" if happening.does("attach") else "taken from"
             happening.fault("W3", f"something is {verb} the {vessel.label} while it runs", *_nodes_of(happening))
 
 
-def check_outputs(supply: Supply, happening: Happening) -> None:
+def check_outputs(supply: Supply, happening: PlayedStep) -> None:
     """Switch what the motion switches in the kitchen of ``supply``, and tell what enters or leaves something closed.
 
     Both are as ``happening``, the step, says by its outputs.
@@ -152,7 +152,7 @@ def _same_stack(before: Vessel | None, now: Vessel | None) -> bool:
     return before is now or (before is not None and now is not None and (before.where is now or now.where is before))
 
 
-def _closed(vessel: Vessel, lump: Lump, happening: Happening) -> None:
+def _closed(vessel: Vessel, lump: Lump, happening: PlayedStep) -> None:
     if happening.does("close", "uncover", "open", "attach", "blend", "mix") or vessel.row.role not in {
         "vessel",
         "appliance",
@@ -162,7 +162,7 @@ def _closed(vessel: Vessel, lump: Lump, happening: Happening) -> None:
     vessel.covered = False
 
 
-def _switch(supply: Supply, said: Said, node: ObjectNode, happening: Happening) -> None:
+def _switch(supply: Supply, said: NodeReading, node: ObjectNode, happening: PlayedStep) -> None:
     vessel = supply.appliance(said.label)
     if vessel.row.always_on:
         return

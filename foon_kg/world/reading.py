@@ -21,7 +21,7 @@ _PLACE = re.compile(r"(?:in|on|inside|from) \[([^\]]+)\]")
 
 
 @dataclass(frozen=True, eq=False)
-class Said:
+class NodeReading:
     """What a node says. Names are in the singular: ``names`` are the foods that it holds, utensils apart.
 
     ``place`` is the label of the vessel or food it is in or on, ``covers`` that of what it lies over or is held to
@@ -65,9 +65,9 @@ class Reader:
     def __init__(self, known: Tables, foods: frozenset[str] = frozenset()) -> None:
         self.tables = known
         self.foods = foods
-        self._read: dict[ObjectNode, Said] = {}
+        self._read: dict[ObjectNode, NodeReading] = {}
 
-    def read(self, node: ObjectNode) -> Said:
+    def read(self, node: ObjectNode) -> NodeReading:
         """Return what ``node`` says."""
         said = self._read.get(node)
         if said is None:
@@ -80,7 +80,7 @@ class Reader:
         """Return the utensil called ``label``, in the singular; ``None`` for a food."""
         return None if label in self.foods else self.tables.utensil(label)
 
-    def _said(self, node: ObjectNode) -> Said:
+    def _said(self, node: ObjectNode) -> NodeReading:
         label = singular(node.label)
         utensil = self.utensil(label)
         names = frozenset(name for name in map(singular, node.ingredients) if self.utensil(name) is None)
@@ -89,7 +89,7 @@ class Reader:
         claims = self.tables.utensil_states
         rows = list(map(self.tables.state, node.states)) if utensil is None else []
         fine = [row.fine for row in rows if row.fine is not None]
-        return Said(
+        return NodeReading(
             node,
             label,
             utensil,
@@ -114,8 +114,8 @@ class Reader:
         held = node.container is not None and (node.relation in _NOT_IN or (utensil and node.relation == "under"))
         if held and node.container is not None:
             return _place_in_states(node), singular(node.container)
-        told = _place_in_states(node) if node.container is None or node.relation == "from" else None
-        return told or (None if node.container is None else singular(node.container)), None
+        place = _place_in_states(node) if node.container is None or node.relation == "from" else None
+        return place or (None if node.container is None else singular(node.container)), None
 
     def _remains(self, node: ObjectNode, utensil: Utensil | None, rows: Sequence[State]) -> bool:
         """Whether a node is what is left of a food, by its states or by its name."""

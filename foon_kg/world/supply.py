@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from foon_kg.food import Food, Utensil, is_among
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import Mention
-from foon_kg.world.happening import Happening
 from foon_kg.world.matching import carries, divides_like, in_storage, is_still, place_score, same_place
-from foon_kg.world.reading import Reader, Said
+from foon_kg.world.played_step import PlayedStep
+from foon_kg.world.reading import NodeReading, Reader
 from foon_kg.world.things import Lump, Part, Vessel
 
 _PLACE = Utensil("", "place", "places")
@@ -42,7 +42,7 @@ class Supply:
 
     # --- vessels ---
 
-    def vessel(self, mention: Mention, said: Said, happening: Happening) -> Vessel:
+    def vessel(self, mention: Mention, said: NodeReading, happening: PlayedStep) -> Vessel:
         """Return the vessel, tool or appliance that an input of the step ``happening`` is.
 
         The ``mention`` may number the thing; ``said`` is what its node says. A fresh one is fetched where none there
@@ -79,7 +79,7 @@ class Supply:
             self.numbered_vessels[number] = vessel
         return vessel
 
-    def _numbered_vessel(self, number: int, said: Said, happening: Happening) -> Vessel:
+    def _numbered_vessel(self, number: int, said: NodeReading, happening: PlayedStep) -> Vessel:
         vessel = self.numbered_vessels.get(number)
         if vessel is None:
             vessel = self.fresh(said.label, number)
@@ -95,12 +95,12 @@ class Supply:
             happening.fault("W1", f"the {said.label} is not empty: it holds {_names(vessel.names)}", said.node)
         return vessel
 
-    def _still_says(self, vessel: Vessel, said: Said) -> bool:
+    def _still_says(self, vessel: Vessel, said: NodeReading) -> bool:
         if said.names:
             return not vessel.names.isdisjoint(said.names)
         return not (said.empty and vessel.lumps)
 
-    def _filled(self, there: list[Vessel], said: Said, happening: Happening) -> Vessel:
+    def _filled(self, there: list[Vessel], said: NodeReading, happening: PlayedStep) -> Vessel:
         best = max(there, key=lambda v: (len(said.names & v.names), -len(v.names - said.names), v.last), default=None)
         if best is not None and not said.names.isdisjoint(best.names):
             return best
@@ -113,7 +113,7 @@ class Supply:
         self._stock(vessel, said, happening)
         return vessel
 
-    def _empty(self, there: list[Vessel], said: Said, happening: Happening) -> Vessel:
+    def _empty(self, there: list[Vessel], said: NodeReading, happening: PlayedStep) -> Vessel:
         """Return a vessel of which no contents are told: the last used of those where it is told, else a fresh one."""
         placed = [vessel for vessel in there if _stands_as_told(vessel, said)]
         usable = [vessel for vessel in placed if not vessel.lumps] if _has_to_be_clean(said) else placed
@@ -123,7 +123,7 @@ class Supply:
             _tell_full(placed, said, happening)
         return self._stand(self.fresh(said.label), said)
 
-    def _stand(self, vessel: Vessel, said: Said) -> Vessel:
+    def _stand(self, vessel: Vessel, said: NodeReading) -> Vessel:
         if said.place is not None and said.place_utensil is not None:
             self.stand(vessel, self.holder(said.place))
         return vessel
@@ -143,18 +143,18 @@ class Supply:
         known = self.vessels.get(label)
         return max(known, key=lambda v: v.last) if known else self.fresh(label)
 
-    def _stock(self, vessel: Vessel, said: Said, happening: Happening) -> None:
+    def _stock(self, vessel: Vessel, said: NodeReading, happening: PlayedStep) -> None:
         """Fill a vessel as the kitchen has it: a jar of salt; for any other vessel C6 says that nobody filled it."""
         for name in sorted(said.names):
             happening.taken += self.name_lump(name, happening.number, vessel).parts
         self._stand(vessel, said)
 
-    def _is_storage(self, said: Said) -> bool:
+    def _is_storage(self, said: NodeReading) -> bool:
         return said.utensil is not None and said.utensil.role == "storage"
 
     # --- foods ---
 
-    def food(self, mention: Mention, said: Said, happening: Happening) -> Lump:
+    def food(self, mention: Mention, said: NodeReading, happening: PlayedStep) -> Lump:
         """Return the lump that an input of ``happening`` is; a new one from the kitchen where none there can be it.
 
         The ``mention`` may number the thing; ``said`` is what its node says.
@@ -174,7 +174,7 @@ class Supply:
             return best[1]
         return self._from_kitchen(said, happening)
 
-    def _numbered_lump(self, lump: Lump, said: Said, happening: Happening) -> Lump:
+    def _numbered_lump(self, lump: Lump, said: NodeReading, happening: PlayedStep) -> Lump:
         """Return a lump by its number, and tell what of its node is not so."""
         reason = _why_not(lump, said)
         if reason is not None:
@@ -184,7 +184,7 @@ class Supply:
                 happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
         return lump
 
-    def _candidates(self, said: Said, happening: Happening) -> Iterator[tuple[tuple[int, ...], Lump]]:
+    def _candidates(self, said: NodeReading, happening: PlayedStep) -> Iterator[tuple[tuple[int, ...], Lump]]:
         """Yield the lumps that a node can be, each with how well it is that one: by place, state and step."""
         there = [vessel.label for vessel in happening.vessels]
         for lump in self.lumps.get(said.label, ()):
@@ -193,18 +193,18 @@ class Supply:
             place = place_score(said, lump, there, lies_on=self._lies_as_told(said, lump))
             if place == 0:
                 continue
-            mine, told = set(lump.states), set(said.node.states)
-            alike = len(told & mine) - len(told ^ mine)
+            mine, claimed = set(lump.states), set(said.node.states)
+            alike = len(claimed & mine) - len(claimed ^ mine)
             inside = any(lump in vessel.lumps for vessel in happening.vessels)
             yield (place, int(inside), int(lump.label == said.label), alike, lump.last), lump
 
-    def _lies_as_told(self, said: Said, lump: Lump) -> bool | None:
+    def _lies_as_told(self, said: NodeReading, lump: Lump) -> bool | None:
         """Return whether a lump lies on the food that a node names as its place; ``None`` where it names none."""
         if said.place is None or said.place_utensil is not None or not self.reader.tables.foods.is_listed(said.place):
             return None
         return any(lump in under.riders for under in self.lumps.get(said.place, ()) if not under.gone)
 
-    def _from_kitchen(self, said: Said, happening: Happening, number: int | None = None) -> Lump:
+    def _from_kitchen(self, said: NodeReading, happening: PlayedStep, number: int | None = None) -> Lump:
         """Fetch a food. What is undivided is there as often as it was asked; what is divided may be a rest of it."""
         holder = self._holder_of(said, happening)
         if said.label in self.lumps:
@@ -215,7 +215,7 @@ class Supply:
             self.taken_whole[said.label] = self.taken_whole.get(said.label, 0) + 1
         return lump
 
-    def _again(self, said: Said, happening: Happening) -> None:
+    def _again(self, said: NodeReading, happening: PlayedStep) -> None:
         """Tell that a food is fetched of which there is no more: it is in finer pieces now, or all of it was taken."""
         facts = self.reader.tables.foods.food(said.label, said.node.states)
         if facts.is_a("stock", "water") or in_storage(said):
@@ -228,7 +228,7 @@ class Supply:
         elif said.place is not None or said.earns:
             happening.fault("W1", f"more of it is used than is left: {self._fate(said.label)}", said.node, minor=True)
 
-    def _is_all_finer(self, said: Said) -> bool:
+    def _is_all_finer(self, said: NodeReading) -> bool:
         """Whether all that is there of a food is in finer pieces than a node says, where it says any."""
         left = [lump for lump in self.lumps[said.label] if not lump.gone]
         if not said.fine or not left:
@@ -245,7 +245,7 @@ class Supply:
         state = ", ".join(lump.states) or "used"
         return f"it is {state}{where} since step {lump.last + 1}"
 
-    def _holder_of(self, said: Said, happening: Happening) -> Vessel | None:
+    def _holder_of(self, said: NodeReading, happening: PlayedStep) -> Vessel | None:
         if said.place is None:
             return None
         inside = next((vessel for vessel in happening.vessels if vessel.label == said.place), None)
@@ -334,23 +334,23 @@ def _receive(vessel: Vessel, lump: Lump) -> None:
             part.spoonful = True
 
 
-def _stands_as_told(vessel: Vessel, said: Said) -> bool:
+def _stands_as_told(vessel: Vessel, said: NodeReading) -> bool:
     return said.place is None or (vessel.where is not None and vessel.where.label == said.place)
 
 
-def _has_to_be_clean(said: Said) -> bool:
+def _has_to_be_clean(said: NodeReading) -> bool:
     """Whether a node speaks of a vessel that is empty, or of a tool: nobody takes up a spoon with something on it."""
     return said.empty or (said.utensil is not None and said.utensil.role == "tool")
 
 
-def _tell_full(placed: list[Vessel], said: Said, happening: Happening) -> None:
+def _tell_full(placed: list[Vessel], said: NodeReading, happening: PlayedStep) -> None:
     """Tell the first of the full vessels on an appliance (W1), which a node says is empty there."""
     full = next((vessel for vessel in placed if vessel.where and vessel.where.is_appliance), None)
     if full is not None:
         happening.fault("W1", f"it holds {_names(full.names)} there, and is said to be empty", said.node)
 
 
-def _why_not(lump: Lump, said: Said) -> str | None:
+def _why_not(lump: Lump, said: NodeReading) -> str | None:
     """Return why a lump cannot be what the node with its number says; ``None`` where it can."""
     if lump.gone:
         return f"this {said.label} was used up before"

@@ -12,8 +12,8 @@ from functools import lru_cache
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import State
 from foon_kg.world import power
-from foon_kg.world.happening import Happening
-from foon_kg.world.reading import Said
+from foon_kg.world.played_step import PlayedStep
+from foon_kg.world.reading import NodeReading
 from foon_kg.world.supply import Supply
 from foon_kg.world.things import Lump, Part, Vessel
 
@@ -35,7 +35,7 @@ _BY_HAND = ("cut", "grate", "grind", "mash", "peel", "core", "stone", "shell", "
 _GATHERS = ("mix", "blend", "mash", "knead", "whip", "heat")
 
 
-def apply(supply: Supply, happening: Happening) -> None:
+def apply(supply: Supply, happening: PlayedStep) -> None:
     """Write down what the step of ``happening`` did to its foods, and tell (K4, K7) what it cannot have done.
 
     ``supply`` has the tables that say what each state claims.
@@ -59,7 +59,7 @@ def _earned(does: frozenset[str]) -> tuple[str, ...]:
     return tuple(treatment for name in sorted(does) for treatment in GIVES.get(name, ()))
 
 
-def _treated(happening: Happening) -> list[Lump]:
+def _treated(happening: PlayedStep) -> list[Lump]:
     """Return what the hands work on: the foods that came out in another form, else those that went in."""
     out = [lump for lump in (*happening.outputs.values(), *happening.made) if not lump.gone]
     named = out + [lump for lump in happening.inputs if not lump.gone and lump not in out]
@@ -69,19 +69,19 @@ def _treated(happening: Happening) -> list[Lump]:
     return changed or named
 
 
-def _in_vessels(happening: Happening) -> list[Lump]:
+def _in_vessels(happening: PlayedStep) -> list[Lump]:
     """Return what is in the vessels that take part, appliances, tools and packets apart."""
     return [lump for vessel in happening.vessels if vessel.row.role == "vessel" for lump in vessel.lumps]
 
 
-def _changed(happening: Happening) -> list[Lump]:
+def _changed(happening: PlayedStep) -> list[Lump]:
     """Return the foods of those outputs that say something else than each input, and the products."""
     before = {mention.node for mention in happening.step.inputs}
     changed = [lump for node, lump in happening.outputs.items() if node not in before]
     return changed + [lump for lump in happening.made if lump not in changed]
 
 
-def _treat(part: Part, lump: Lump, earned: Sequence[str], supply: Supply, happening: Happening) -> None:
+def _treat(part: Part, lump: Lump, earned: Sequence[str], supply: Supply, happening: PlayedStep) -> None:
     """Give a part of a food what the motion earns, and the fineness that it makes."""
     if part.remains:
         return
@@ -95,29 +95,29 @@ def _treat(part: Part, lump: Lump, earned: Sequence[str], supply: Supply, happen
         _cut(part, lump, supply, happening)
 
 
-def _is_pressed_out(lump: Lump, supply: Supply, happening: Happening) -> bool:
+def _is_pressed_out(lump: Lump, supply: Supply, happening: PlayedStep) -> bool:
     """Whether a food came off one that keeps its skin and core: juice that is separated, zest that is grated."""
     became = supply.reader.tables.foods.food(lump.label, lump.states)
     comes_off = happening.does("grate") and became.is_any(word_list("is grated off the whole"))
     return comes_off or (happening.does("separate") and became.is_a("liquid"))
 
 
-def _cut(part: Part, lump: Lump, supply: Supply, happening: Happening) -> None:
+def _cut(part: Part, lump: Lump, supply: Supply, happening: PlayedStep) -> None:
     """Let a part be as fine as its food is told after a cut; tell it (K7) where it was in finer pieces before."""
-    told = [supply.reader.tables.state(state).fine for state in lump.states]
-    fine = max((one for one in told if one is not None), default=FINE["cut"])
+    fineness = [supply.reader.tables.state(state).fine for state in lump.states]
+    fine = max((one for one in fineness if one is not None), default=FINE["cut"])
     if 0 < fine < part.fine and not lump.mixed:
         happening.fault("K7", f"{part.name} is in finer pieces already", minor=True)
     part.fine = max(part.fine, fine)
 
 
-def _told_cooked(supply: Supply, happening: Happening) -> bool:
+def _told_cooked(supply: Supply, happening: PlayedStep) -> bool:
     """Whether a step that only makes hot says that its food is cooked then: people heat until it is."""
     states = [state for lump in happening.outputs.values() for state in lump.states]
     return any("cook" in supply.reader.tables.state(state).earns for state in states)
 
 
-def _heat(supply: Supply, happening: Happening) -> None:
+def _heat(supply: Supply, happening: PlayedStep) -> None:
     """Heat the vessels of a step and all that is in them."""
     happening.heated = power.heated_vessels(happening)
     happening.in_oven = any(power.stands_in_oven(vessel) for vessel in happening.heated)
@@ -131,7 +131,7 @@ def _heat(supply: Supply, happening: Happening) -> None:
             part.done.setdefault(treatment, happening.number)
 
 
-def _earned_by_heat(parts: Sequence[Part], supply: Supply, happening: Happening) -> tuple[str, ...]:
+def _earned_by_heat(parts: Sequence[Part], supply: Supply, happening: PlayedStep) -> tuple[str, ...]:
     """Return which treatments foods earn over heat: all are cooked, and boiled where a liquid is among them."""
     if not (happening.does("heat") or _told_cooked(supply, happening)):
         return ()
@@ -139,21 +139,21 @@ def _earned_by_heat(parts: Sequence[Part], supply: Supply, happening: Happening)
     return ("cook", "boil") if bath and not happening.does("dry") else ("cook",)
 
 
-def _hot_parts(happening: Happening) -> list[Part]:
+def _hot_parts(happening: PlayedStep) -> list[Part]:
     """Return the parts of what is in the heated vessels, and of the foods that the step names."""
     held = [lump for vessel in happening.heated for lump in vessel.lumps]
     named = [lump for lump in (*happening.inputs, *happening.outputs.values()) if not lump.gone]
     return [part for lump in dict.fromkeys([*held, *named]) for part in lump.parts]
 
 
-def _cool(happening: Happening) -> None:
+def _cool(happening: PlayedStep) -> None:
     """Note what stood a while, or was rinsed, for the first time since it was heated: it is no longer hot."""
     for part in (part for lump in happening.treated for part in lump.parts):
         if part.cooled is None or part.cooled < (part.heated or 0):
             part.cooled = happening.number
 
 
-def _join(happening: Happening) -> None:
+def _join(happening: PlayedStep) -> None:
     """Note which parts come to others, and which are mixed with them."""
     mixes = happening.does("mix", "blend", "knead", "mash", "whip")
     origin = {id(lump): before for lump, before, _ in happening.moved}
@@ -166,7 +166,7 @@ def _join(happening: Happening) -> None:
         _mix_outputs(happening, mixes=mixes or not happening.does("heat"))
 
 
-def _mix_outputs(happening: Happening, *, mixes: bool) -> None:
+def _mix_outputs(happening: PlayedStep, *, mixes: bool) -> None:
     """Note what came out as one food of several: its parts are together, and mixed too where the motion ``mixes``."""
     for lump in happening.outputs.values():
         if lump.mixed:
@@ -178,7 +178,7 @@ def _holds_several(vessel: Vessel) -> bool:
     return len({part.name for lump in vessel.lumps for part in lump.parts}) > 1
 
 
-def _places(happening: Happening) -> list[Vessel]:
+def _places(happening: PlayedStep) -> list[Vessel]:
     """Return the vessels that took part, and those in which its foods are, each once."""
     lumps = (*happening.inputs, *happening.outputs.values())
     return list(dict.fromkeys([*happening.vessels, *(lump.where for lump in lumps if lump.where is not None)]))
@@ -192,7 +192,7 @@ def _note(lump: Lump, number: int, *, joins: bool, mixes: bool) -> None:
             part.mixed = number
 
 
-def _judge_claims(supply: Supply, happening: Happening) -> None:
+def _judge_claims(supply: Supply, happening: PlayedStep) -> None:
     """Ask of each state that an output says and no input whether this motion gives it."""
     before = {state for mention in happening.step.inputs for state in mention.node.states}
     for said in happening.said_out:
@@ -210,7 +210,7 @@ def _takes_work(row: State) -> bool:
     return not row.sold and bool(row.earns or row.fine)
 
 
-def _claimed_so(said: Said, state: str, row: State, lump: Lump, happening: Happening) -> None:
+def _claimed_so(said: NodeReading, state: str, row: State, lump: Lump, happening: PlayedStep) -> None:
     """Tell one fresh state that the motion cannot give, or that nothing earned; what is advised anyway is counted."""
     if not _was_before(lump, row):
         never = " or ".join(sorted(row.before))
@@ -228,7 +228,7 @@ def _claimed_so(said: Said, state: str, row: State, lump: Lump, happening: Happe
         happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
 
 
-def _cannot_give(state: str, happening: Happening) -> bool:
+def _cannot_give(state: str, happening: PlayedStep) -> bool:
     """Whether it is known what a motion gives, and this state is not of it."""
     return happening.motion.known and bool(happening.motion.gives) and not _can_give(state, happening)
 
@@ -238,7 +238,7 @@ def _was_before(lump: Lump, row: State) -> bool:
     return not row.before or any(not row.before.isdisjoint(part.states) for part in lump.parts)
 
 
-def _is_hot(lump: Lump, happening: Happening) -> bool:
+def _is_hot(lump: Lump, happening: PlayedStep) -> bool:
     """Whether a step heats, or a food is in a hot vessel on a source of heat."""
     place = lump.where
     if happening.does("heat", "warm"):
@@ -246,6 +246,6 @@ def _is_hot(lump: Lump, happening: Happening) -> bool:
     return place is not None and place.where is not None and place.where.row.source == "heat" and place.hot
 
 
-def _can_give(state: str, happening: Happening) -> bool:
+def _can_give(state: str, happening: PlayedStep) -> bool:
     own = set(state.lower().replace("-", " ").split())
     return any(state.lower() == given or set(given.split()) & own for given in happening.motion.gives)

@@ -8,7 +8,7 @@ from foon_kg.food import Utensil
 from foon_kg.model import NodeSortKey, ObjectNode
 from foon_kg.model.tree import Mention
 from foon_kg.world.outcome import Outcome
-from foon_kg.world.reading import Said
+from foon_kg.world.reading import NodeReading
 from foon_kg.world.things import Vessel
 
 
@@ -42,7 +42,7 @@ def _surest_first(out: Outcome, place: int) -> tuple[int, NodeSortKey]:
     return -max(alike, default=0), one.node.sort_key
 
 
-def _matching(out: Outcome, mention: Mention, one: Said, free: Sequence[Vessel]) -> Vessel | None:
+def _matching(out: Outcome, mention: Mention, one: NodeReading, free: Sequence[Vessel]) -> Vessel | None:
     """Return which of the ``free`` input vessels an output is; a number says it, else name and contents."""
     if mention.thing is not None:
         vessel = out.supply.numbered_vessels.get(mention.thing)
@@ -55,13 +55,13 @@ def _matching(out: Outcome, mention: Mention, one: Said, free: Sequence[Vessel])
     return _emptied(out, one, alike) if one.empty else _filled(out, one, alike)
 
 
-def _emptied(out: Outcome, one: Said, alike: Sequence[Vessel]) -> Vessel:
+def _emptied(out: Outcome, one: NodeReading, alike: Sequence[Vessel]) -> Vessel:
     """Return which of several vessels of one name is told empty: a clean one, where another of them is told filled."""
     filled = len(alike) > 1 and any(other.names for other in out.said if other.label == one.label)
     return min(alike, key=lambda vessel: (bool(vessel.lumps) and filled, vessel.last))
 
 
-def _filled(out: Outcome, one: Said, alike: Sequence[Vessel]) -> Vessel:
+def _filled(out: Outcome, one: NodeReading, alike: Sequence[Vessel]) -> Vessel:
     """Return which of several vessels of one name is told to hold something: not that out of which it was poured."""
     sources = {id(lump.where) for lump in out.happening.inputs if lump.where is not None}
     poured = out.happening.does("move") and any(id(vessel) not in sources for vessel in alike)
@@ -69,7 +69,7 @@ def _filled(out: Outcome, one: Said, alike: Sequence[Vessel]) -> Vessel:
     return max(alike, key=lambda vessel: (id(vessel) not in left, len(one.names & vessel.names), vessel.last))
 
 
-def _appearing(out: Outcome, mention: Mention, one: Said) -> Vessel | None:
+def _appearing(out: Outcome, mention: Mention, one: NodeReading) -> Vessel | None:
     """Return an output vessel that is no input: one that an input stands in or on, or a clean one."""
     for vessel in (*out.holders(), *out.standing()):
         if vessel.label == one.label:
@@ -81,7 +81,7 @@ def _appearing(out: Outcome, mention: Mention, one: Said) -> Vessel | None:
     return out.supply.fresh(one.label, mention.thing)
 
 
-def _stand(out: Outcome, vessel: Vessel, one: Said, node: ObjectNode) -> None:
+def _stand(out: Outcome, vessel: Vessel, one: NodeReading, node: ObjectNode) -> None:
     """Let a vessel stand where its node says; what a node forgets to repeat stays where it was."""
     if one.place_utensil is not None and one.place is not None:
         if vessel.where is None or vessel.where.label != one.place:
@@ -95,7 +95,7 @@ def _stand(out: Outcome, vessel: Vessel, one: Said, node: ObjectNode) -> None:
         _close(out, vessel, one)
 
 
-def _close(out: Outcome, vessel: Vessel, one: Said) -> None:
+def _close(out: Outcome, vessel: Vessel, one: NodeReading) -> None:
     """Close or open a vessel as its node and the motion say, and the one over which a lid is told."""
     if one.covered:
         vessel.covered = True
@@ -110,7 +110,7 @@ def _is_new(out: Outcome, node: ObjectNode) -> bool:
     return node not in {mention.node for mention in out.happening.step.inputs}
 
 
-def _is_taken_away(out: Outcome, vessel: Vessel, one: Said) -> bool:
+def _is_taken_away(out: Outcome, vessel: Vessel, one: NodeReading) -> bool:
     """Whether a step takes a vessel off what it stood on: it moves things, and tells the vessel without a place."""
     if vessel.where is None or vessel.is_appliance or not out.happening.does("detach", "move", "fetch"):
         return False

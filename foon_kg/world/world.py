@@ -12,9 +12,9 @@ from collections.abc import Iterable, Sequence
 from foon_kg.food import Tables, singular, tables
 from foon_kg.model.tree import Mention, Step
 from foon_kg.world import contents, foods, power, treatment, vessels
-from foon_kg.world.happening import Happening
 from foon_kg.world.outcome import Outcome
-from foon_kg.world.reading import Reader, Said, reader
+from foon_kg.world.played_step import PlayedStep
+from foon_kg.world.reading import NodeReading, Reader, reader
 from foon_kg.world.supply import Supply
 from foon_kg.world.things import Vessel
 
@@ -31,11 +31,11 @@ class World:
         for name in names:
             counts[name] = counts.get(name, 0) + 1
         self.supply = Supply(self.reader, counts)
-        self.happenings: list[Happening] = []
+        self.happenings: list[PlayedStep] = []
 
-    def play(self, step: Step) -> Happening:
+    def play(self, step: Step) -> PlayedStep:
         """Play the next step; what cannot happen stands in its ``mishaps``."""
-        happening = Happening(len(self.happenings), step, self.tables.motion(step.motion))
+        happening = PlayedStep(len(self.happenings), step, self.tables.motion(step.motion))
         self.happenings.append(happening)
         said = happening.said_in = [self.reader.read(mention.node) for mention in step.inputs]
         happening.said_out = [self.reader.read(mention.node) for mention in step.outputs]
@@ -54,7 +54,7 @@ class World:
         happening.hot = power.hot_vessels(self.supply)
         return happening
 
-    def _take_vessels(self, mentions: Sequence[Mention], said: Sequence[Said], happening: Happening) -> None:
+    def _take_vessels(self, mentions: Sequence[Mention], said: Sequence[NodeReading], happening: PlayedStep) -> None:
         """Find the vessels that go in: those that say most first, so that the order of the inputs decides nothing."""
         places = [place for place, one in enumerate(said) if one.utensil is not None]
         ordered = places
@@ -64,7 +64,7 @@ class World:
         happening.vessels = [found[place] for place in places]
         happening.tools = [mentions[place].node for place in places if found[place].row.role in {"tool", "lid"}]
 
-    def _take_vessel(self, mention: Mention, said: Said, happening: Happening) -> Vessel:
+    def _take_vessel(self, mention: Mention, said: NodeReading, happening: PlayedStep) -> Vessel:
         """Return the vessel that goes in as a mention says, standing where its node says."""
         vessel = self.supply.vessel(mention, said, happening)
         vessel.last = happening.number
@@ -73,7 +73,7 @@ class World:
             self.supply.stand(vessel, self.supply.holder(str(said.place)))
         return vessel
 
-    def _take_foods(self, mentions: Sequence[Mention], said: Sequence[Said], happening: Happening) -> None:
+    def _take_foods(self, mentions: Sequence[Mention], said: Sequence[NodeReading], happening: PlayedStep) -> None:
         for mention, one in zip(mentions, said, strict=True):
             if one.utensil is None:
                 lump = self.supply.food(mention, one, happening)

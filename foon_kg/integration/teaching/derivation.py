@@ -15,7 +15,7 @@ from foon_kg.integration.teaching.frames import Frame, Line, Slot, Stage
 from foon_kg.integration.teaching.lines import WORK, Cluster, distinct, joined, place_told
 from foon_kg.integration.teaching.played import Place, Played, compact
 from foon_kg.model import FunctionalUnit, ObjectNode
-from foon_kg.world import Happening, Part
+from foon_kg.world import Part, PlayedStep
 from foon_kg.world.things import Vessel
 
 
@@ -166,7 +166,7 @@ class _Derivation:
 
         return max(group, key=order)
 
-    def _stage(self, cluster: Cluster, happening: Happening, place: Place | None, step: int) -> Stage:
+    def _stage(self, cluster: Cluster, happening: PlayedStep, place: Place | None, step: int) -> Stage:
         """Return what a step does to a cluster, which is at ``place`` then, and to what waits to be worked in."""
         motion, tools = _motion_of(happening)
         appliance, source = _appliance(happening, place, self.known) if _works(happening) else ("", "")
@@ -178,14 +178,14 @@ class _Derivation:
         vessel, relation, label, states = place_told(place)
         return Stage(adds, motion, does, tools, vessel, relation, appliance, source, label, states, step)
 
-    def _is_stirred_hot(self, happening: Happening, place: Place, step: int) -> bool:
+    def _is_stirred_hot(self, happening: PlayedStep, place: Place, step: int) -> bool:
         does = happening.motion.does
         if "mix" not in does:
             return False
         lit = place.vessel in self.played.over_heat[step] and does <= {"mix", "move"}
         return lit or self._told_cooked(place, happening)
 
-    def _bath(self, cluster: Cluster, happening: Happening) -> list[Slot]:
+    def _bath(self, cluster: Cluster, happening: PlayedStep) -> list[Slot]:
         """Return the water in which a dish is cooked that is not in it at the end: somebody poured it away."""
         lumps = [*happening.inputs, *(lump for vessel in happening.vessels for lump in vessel.lumps)]
         parts = {self.played.number(part): part for lump in lumps for part in lump.parts}
@@ -195,7 +195,7 @@ class _Derivation:
             return []
         return [Slot(water.name, self.known.foods.food(water.name, water.states).kind, water.states)]
 
-    def _told_cooked(self, place: Place, happening: Happening) -> bool:
+    def _told_cooked(self, place: Place, happening: PlayedStep) -> bool:
         """Whether what is at a place is called cooked after a step, and was not before."""
         before = {state for lump in happening.inputs for state in lump.states if lump.label == place.label}
         rows = [self.known.state(state) for state in place.states if state not in before or happening.made]
@@ -215,12 +215,12 @@ def _lost(goal: ObjectNode, line: Line, known: Tables) -> tuple[str, ...]:
     )
 
 
-def _works(happening: Happening) -> bool:
+def _works(happening: PlayedStep) -> bool:
     """Whether a step changes something, and does not only bring it somewhere."""
     return not happening.motion.does.isdisjoint(WORK)
 
 
-def _motion_of(happening: Happening) -> tuple[str, tuple[str, ...]]:
+def _motion_of(happening: PlayedStep) -> tuple[str, tuple[str, ...]]:
     """Return the motion of a step and the labels of its tools, sorted: a :data:`~.operators.Way`."""
     return happening.step.motion, tuple(sorted(singular(node.label) for node in happening.tools))
 
@@ -230,7 +230,7 @@ def _is_brought_on(was: Place | None, now: Place | None) -> bool:
     return was is not None and now is not None and was.vessel != now.vessel
 
 
-def _appliance(happening: Happening, place: Place | None, known: Tables) -> tuple[str, str]:
+def _appliance(happening: PlayedStep, place: Place | None, known: Tables) -> tuple[str, str]:
     """Return what works on a thing at ``place`` in a step, and by what (heat, cold, power); ``""`` for nothing."""
     held = _held(happening)
     if held is not None:
@@ -244,7 +244,7 @@ def _appliance(happening: Happening, place: Place | None, known: Tables) -> tupl
     return "", ""
 
 
-def _held(happening: Happening) -> Vessel | None:
+def _held(happening: PlayedStep) -> Vessel | None:
     """Return what hands hold to a thing: whatever the vessel stands on, a hand mixer does what heat does not."""
     if "heat" in happening.motion.does:
         return None

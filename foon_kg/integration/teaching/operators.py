@@ -17,7 +17,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.model import UNMEASURED, KnownUnit, Sighting
 from foon_kg.model.recent import Recent
-from foon_kg.world.reading import Reader, Said, reader
+from foon_kg.world.reading import NodeReading, Reader, reader
 
 MOST_SIGHTINGS = 3
 """How many units are named as evidence of one step: enough to look one up, and few enough to keep in the graph."""
@@ -161,14 +161,14 @@ class Operators:
         for kind in sorted({self.known.foods.find(food)[0] for food in foods} - {"unknown"}):
             evidence.kinds[kind].extend(seen)
 
-    def _note_states(self, said: Said) -> None:
+    def _note_states(self, said: NodeReading) -> None:
         """Note in which states a food comes, by its name and by its kind."""
         if said.is_food:
             kind = self.known.foods.food(said.label, said.node.states).kind
             for name in (said.label, f"kind:{kind}"):
                 self.states[name].update(said.node.states)
 
-    def _changes(self, inputs: Sequence[Said], outputs: Sequence[Said], way: Way) -> set[str]:
+    def _changes(self, inputs: Sequence[NodeReading], outputs: Sequence[NodeReading], way: Way) -> set[str]:
         """Note what a unit does to which food by ``way``; return the foods that it changes."""
         before = {said.label: said for said in inputs if said.is_food}
         changed = set()
@@ -179,7 +179,7 @@ class Operators:
                 self._note_change(was, said, way)
         return changed
 
-    def _note_change(self, was: Said, said: Said, way: Way) -> None:
+    def _note_change(self, was: NodeReading, said: NodeReading, way: Way) -> None:
         """Note what ``way`` gives to a food, where it is then, and from where to where it was brought."""
         if said.place_utensil is not None and said.place_utensil.role == "vessel":
             self.onto[way][str(said.place)] += 1
@@ -370,12 +370,12 @@ _HANDS = word_list("bare hands")
 """What annotators name as a tool where there is none."""
 
 
-def _tools_of(inputs: Iterable[Said]) -> tuple[str, ...]:
+def _tools_of(inputs: Iterable[NodeReading]) -> tuple[str, ...]:
     tools = {said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool"} - _HANDS
     return tuple(sorted(tools))
 
 
-def _foods(saids: Iterable[Said]) -> set[str]:
+def _foods(saids: Iterable[NodeReading]) -> set[str]:
     found: set[str] = set()
     for said in saids:
         found |= said.names

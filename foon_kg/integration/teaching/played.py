@@ -12,7 +12,7 @@ from functools import cached_property
 from foon_kg.food import Tables, is_among, singular
 from foon_kg.food.lists import word_list
 from foon_kg.model import FunctionalUnit, ObjectNode
-from foon_kg.world import Happening, Lump, Part, Step, World
+from foon_kg.world import Lump, Part, PlayedStep, Step, World
 from foon_kg.world.things import Vessel
 
 _FLAT = word_list("flat utensils")
@@ -58,7 +58,7 @@ class Played:
             self.over_heat.append(frozenset(vessel.label for vessel in self._vessels() if _is_over_fire(vessel)))
 
     @property
-    def happenings(self) -> Sequence[Happening]:
+    def happenings(self) -> Sequence[PlayedStep]:
         """What happened at each step."""
         return self.world.happenings
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from foon_kg.food import Motion
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import Step
-from foon_kg.world.reading import Said
+from foon_kg.world.reading import NodeReading
 from foon_kg.world.things import Lump, Part, Vessel
 
 
@@ -22,7 +22,7 @@ class Mishap:
 
 
 @dataclass(eq=False)
-class Happening:
+class PlayedStep:
     """One step as it was played.
 
     ``moved`` has each lump that came to another place, with the places before and after; ``treated`` what the motion
@@ -47,8 +47,8 @@ class Happening:
     tools: list[ObjectNode] = field(default_factory=list)
     vessels_moved: bool = False
     emptied: list[Vessel] = field(default_factory=list)
-    said_in: list[Said] = field(default_factory=list)
-    said_out: list[Said] = field(default_factory=list)
+    said_in: list[NodeReading] = field(default_factory=list)
+    said_out: list[NodeReading] = field(default_factory=list)
     hot: list[Vessel] = field(default_factory=list)
     in_oven: bool = False
 
