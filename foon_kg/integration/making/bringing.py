@@ -74,6 +74,7 @@ class _Handling(NamedTuple):
 
     poured: bool
     picked: bool
+    scraped: bool
     sprayed: bool
 
     def allows(self, motion: str) -> bool:
@@ -81,6 +82,8 @@ class _Handling(NamedTuple):
         if not self.poured and pours(motion):
             return False
         if not self.picked and motion in word_list("picks up"):
+            return False
+        if not self.scraped and motion in word_list("is scraped by"):
             return False
         return self.sprayed or motion not in word_list("is sprayed by")
 
@@ -172,7 +175,7 @@ class Bringing:
         return [way for way in usual if way[0] in motions]
 
     def _handling(self, transport: Transport, *, strict: bool) -> _Handling:
-        """Return what suits a thing: nothing in one piece is poured, nor what runs picked up; cans spray.
+        """Return what suits a thing: nothing in one piece is poured, nor what runs picked up or scraped; cans spray.
 
         Where it is ``strict``, small pieces are not picked up either, nor slices poured onto a plate.
         """
@@ -181,6 +184,7 @@ class Bringing:
         return _Handling(
             poured=not is_laid(self.known, label, states, flat=strict and is_flat(transport.target.label)),
             picked=not fluid,
+            scraped=transport.role != "storage" or not says(states, "runs"),
             sprayed=source is not None and source.label in word_list("sprays"),
         )
 

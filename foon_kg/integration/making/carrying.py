@@ -129,7 +129,7 @@ class Carrier:
             self._cool(source)
         moved = [stuff for stuff in stuffs if not self._stays_in_the_pan(stuff, stuffs)]
         foods = foods_of(source)
-        smeared = None if whole else self._smearing(stage, foods, target)
+        smeared = None if whole else self._smearing(stage, moved, target)
         if smeared is not None:
             self.bench.bring(moved, target, smeared, onto=list(target.contents))
             return
@@ -139,10 +139,13 @@ class Carrier:
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(moved, target, attested, leaves=len(moved) < len(stuffs))
 
-    def _smearing(self, stage: Stage, foods: Sequence[str], target: Vessel) -> Attested | None:
-        """Return how a stage spreads ``foods`` on what is in a vessel, where it does."""
+    def _smearing(self, stage: Stage, stuffs: Sequence[Stuff], target: Vessel) -> Attested | None:
+        """Return how a stage spreads ``stuffs`` on what is in a vessel, where it does: none of them is in one piece."""
         if not target.contents or "coat" not in stage.does or stage.motion not in word_list("greases"):
             return None
+        if any(not SOLID.isdisjoint(stuff.states) for stuff in stuffs):
+            return None
+        foods = tuple(dict.fromkeys(food for stuff in stuffs for food in stuff.foods))
         return self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
 
     def _strained(self, stuffs: Sequence[Stuff], target: Vessel) -> list[Stuff]:
@@ -204,7 +207,11 @@ class Carrier:
         if told not in usual:
             told = (stage.motion, ())
         suits = form != "liquid" or told in usual
-        return [told, *ways] if stage.motion and only_brings(self.known, stage.motion) and suits else ways
+        return [told, *ways] if suits and self._moves(stage.motion, form) else ways
+
+    def _moves(self, motion: str, form: str) -> bool:
+        """Whether a motion, be it ``""``, brings foods of a form: nobody spreads what is in one piece."""
+        return only_brings(self.known, motion) and (form != "whole" or motion not in word_list("greases"))
 
     def _with_tools(self, ways: Sequence[Way]) -> list[Way]:
         """Return ways of which nobody picks up with bare hands what is hot, where a tool does it."""
