@@ -1,0 +1,81 @@
+"""Families of Latin America, Asia, Australia and the Middle East: what is ground, kept raw, filled or browned apart."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import inside, motions
+
+pytestmark = pytest.mark.shared_data
+
+
+def test_dried_chillies_are_soaked_and_ground_before_the_flesh_is_stewed_in_them(steps):
+    told = steps("pork", "Pozole Rojo", "pork shoulder:cut", "guajillo chiles:seeded", "ancho chiles:seeded",
+                 "garlic:clove", "onion:whole", "oregano:dried", "chicken stock:liquid", "hominy:drained",
+                 "radishes:sliced")  # fmt: skip
+    assert motions(told).index("boil") < motions(told).index("blend") < motions(told).index("simmer")
+    assert inside(told, "blend") >= {"guajillo chiles", "ancho chiles", "garlic"}
+    assert "pork shoulder" not in inside(told, "blend")
+
+
+def test_tortillas_are_rolled_and_lie_under_a_sauce_of_chillies(steps):
+    told = steps("casserole", "Enchiladas Rojas", "corn tortillas:plain", "cooked chicken:shredded",
+                 "guajillo chiles:seeded", "garlic:clove", "chicken broth:liquid", "queso fresco:crumbled",
+                 "Mexican crema:creamy")  # fmt: skip
+    assert "roll" in motions(told)
+    assert "guajillo chiles" not in inside(told, "roll")
+    assert "Mexican crema" not in inside(told, "bake")
+
+
+def test_what_is_called_a_fillet_of_meat_is_no_fish(steps):
+    told = steps("pork", "Sweet and Sour Pork", "pork fillet:cut", "egg:beaten", "cornflour:powder",
+                 "vegetable oil:liquid", "green pepper:cut", "onion:cut", "rice vinegar:liquid",
+                 "caster sugar:granulated",
+                 "tomato ketchup:sauce", "soy sauce:liquid")  # fmt: skip
+    assert inside(told, "stir") >= {"rice vinegar", "tomato ketchup"}
+    assert "fold" not in motions(told)
+
+
+def test_a_sauce_of_fish_sauce_and_lime_is_not_cooked_around_balls(steps):
+    told = steps("meatball", "Bun Cha", "pork mince:raw", "garlic:crushed", "shallots:finely chopped",
+                 "rice vermicelli:uncooked", "fish sauce:sauce:sauce", "lime juice:juice:sauce",
+                 "sugar:granulated:sauce", "mint leaves:leaf:serving")  # fmt: skip
+    assert "lime juice" in inside(told, "stir")
+    assert "simmer" not in motions(told)
+
+
+def test_raw_rice_that_is_listed_with_the_meat_cooks_in_the_balls(steps):
+    told = steps("meatball", "Albondigas", "beef mince:uncooked", "long-grain rice:uncooked", "egg:uncooked",
+                 "onion:chopped:sauce", "tomatoes:canned:sauce", "chicken stock:liquid:sauce")  # fmt: skip
+    assert "long-grain rice" in inside(told, "mix")
+
+
+def test_balls_of_pulses_come_into_bread_and_no_bread_into_the_balls(steps):
+    told = steps("sandwich", "Falafel Pittas", "chickpeas:soaked", "onion:chopped", "parsley:chopped", "cumin:ground",
+                 "sunflower oil:liquid:frying", "pitta breads:loaf", "tahini:mixed", "tomatoes:chopped")  # fmt: skip
+    assert inside(told, "blend") >= {"chickpeas", "onion"}
+    assert inside(told, "blend").isdisjoint({"pitta breads", "tahini", "tomatoes"})
+
+
+def test_a_filling_between_biscuits_is_not_in_their_dough(steps):
+    told = steps("cookie", "Melting Moments", "butter:softened", "icing sugar mixture:powder", "flour:plain",
+                 "custard powder:powder", "butter:softened:filling", "icing sugar mixture:powder:filling",
+                 "passionfruit pulp:whole:filling")  # fmt: skip
+    assert "passionfruit pulp" in inside(told, "blend")
+    assert "passionfruit pulp" not in inside(told, "bake")
+    assert motions(told).index("bake") < motions(told).index("blend")
+
+
+def test_a_cutlet_in_crumbs_is_browned_under_its_sauce_and_cheese(steps):
+    told = steps("steak", "Milanesa a la Napolitana", "beef steaks:uncooked", "eggs:beaten", "garlic:crushed",
+                 "breadcrumbs:dry", "vegetable oil:liquid:frying", "tomato sauce:sauce",
+                 "mozzarella:sliced")  # fmt: skip
+    assert inside(told, "bake") >= {"mozzarella", "tomato sauce"}
+    assert any("garlic" in node.ingredients for _, motion, outputs in told if motion == "dip" for node in outputs)
+
+
+def test_a_whole_bird_in_yogurt_is_roasted(steps):
+    told = steps("roast", "Tandoori Roast Chicken", "chicken:whole", "Greek-style yogurt:creamy", "garlic:crushed",
+                 "garam masala:ground", "turmeric:ground", "lemon:juice", "vegetable oil:liquid",
+                 "red onions:sliced")  # fmt: skip
+    assert inside(told, "bake") >= {"chicken", "Greek-style yogurt"}
+    assert "cook and stir" not in motions(told)
