@@ -192,6 +192,8 @@ def want(food, state=""):
         ("lemon", "zested", "whole", "zest", "zest"),
         ("orange", "minced", "whole", "zest", "zest"),
         ("carrot", "grated", "whole", "grated", None),
+        ("pork chop", "beaten", "flattened", "", "flattened"),
+        ("steak", "pounded", "flattened", "", "flattened"),
     ],
 )
 def test_a_state_is_as_it_is_sold_or_made_or_a_crude_word(food, state, leaf, make, read_as):

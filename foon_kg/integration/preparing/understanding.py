@@ -91,9 +91,14 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     """
     fine = one.state in word_list("is so when it is grated off")
     fine = fine and _is_grated_off(one.object, known.foods.food(one.object, [one.state]), known)
-    if not fine and one.state not in word_list("asks for what is grated off"):
+    if fine or one.state in word_list("asks for what is grated off"):
+        state = min(word_list("is grated off the whole"))
+    elif one.state in word_list("is flat when it is flesh") and known.foods.food(one.object).is_any(
+        word_list("is flesh")
+    ):
+        state = min(word_list("is beaten flat"))
+    else:
         return _in_a_package(_as_asked(number, one, known, operators))
-    state = min(word_list("is grated off the whole"))
     return replace(_as_asked(number, replace(one, state=state), known, operators), asked=one.state, read_as=state)
 
 
