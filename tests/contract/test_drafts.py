@@ -109,6 +109,7 @@ def test_without_the_flag_files_answer_the_same_bytes(drafts_file):
         assert planned(beside, asked) == planned(alone, asked)
 
 
+@pytest.mark.slow
 def test_the_command_says_that_it_planned_after_a_draft(drafts_file, tmp_path):
     words = ["plan", "--dish", "cookie", *BISCUITS[1], "--files", str(demo_folder()), "--files", str(drafts_file)]
     alone = CliRunner().invoke(app, words)

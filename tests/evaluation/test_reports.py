@@ -96,6 +96,7 @@ def test_chromium_fetches_and_refuses_nothing_and_no_page_is_wider_than_the_scre
         browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
 
+@pytest.mark.slow
 def test_every_picture_has_arrow_heads_of_its_own(reports):
     for path in reports:
         heads = re.findall(r'<marker id="([^"]+)"', path.read_text(encoding="utf-8"))

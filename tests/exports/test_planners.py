@@ -78,6 +78,7 @@ def test_names_that_hold_marks_of_pddl_are_read_all_the_same(judged):
     assert judged(tree_to_pddl(tree)) == (len(units), True, True)
 
 
+@pytest.mark.slow
 def test_a_dish_of_a_whole_foon_is_made_from_what_the_kitchen_has(judged):
     foon = Snapshot.of(
         [subgraph("a", "salad", *SALAD), subgraph("b", "soup", "onion(whole); pot > boil > soup{onion}@pot")],

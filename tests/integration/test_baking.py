@@ -105,6 +105,7 @@ def test_juice_joins_what_runs_and_pieces_are_folded_in_last(planner, dish_type)
     assert place(told, "vegetable oil", mixing) < place(told, "walnut", mixing)
 
 
+@pytest.mark.slow
 def test_a_cake_is_covered_when_it_has_cooled(planner):
     told = steps(planner, "cake", "carrot cake", CAKE | FROSTING)
     motions = [motion for motion, _, _ in told]

@@ -71,6 +71,7 @@ def told_in(source):
             yield token.start[0], token.string
 
 
+@cache
 def foods_in(source):
     """Return the words of foods and dishes in a module: (line, word)."""
     found = []

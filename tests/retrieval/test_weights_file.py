@@ -60,6 +60,7 @@ def test_a_file_that_is_not_there_is_said_to_be(tmp_path):
             read_weights(path)
 
 
+@pytest.mark.slow
 def test_a_huge_table_is_read(tmp_path):
     table = {f"motion {number}": number / 100_000 for number in range(100_000)}
     assert weights(tmp_path, json.dumps(table)).costs == table

@@ -67,6 +67,7 @@ def test_an_option_that_is_none_is_found(line):
         parsed(line)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "python")], ids=lambda page: page.stem)
 def test_the_python_of_a_page_runs(page, capfd):  # a process that an example starts writes to real files
     for example in blocks(page, "python"):

@@ -37,6 +37,7 @@ def salad(door):
     return door.plan("salad", ASKED)
 
 
+@pytest.mark.slow
 def test_the_examples_of_the_docstrings_are_true(door, salad):
     names = {"Foon": Foon, "foon": door, "plan": salad, "demo_folder": demo_folder}
     done = [
@@ -57,6 +58,7 @@ def test_the_examples_of_a_foon_in_neo4j_are_true(empty_graph):
     assert all(one.attempted > 5 for one in done)
 
 
+@pytest.mark.slow
 def test_the_example_of_readme_runs(capsys):
     text = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
     (example,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
