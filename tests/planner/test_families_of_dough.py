@@ -174,3 +174,45 @@ def test_herbs_are_stirred_with_oil_on_an_open_dough_and_what_is_crisp_stays_raw
     told = steps("pizza", "Manakish", *asked, "cucumber:sliced")
     assert inside(told, "mix") >= {"za'atar", "olive oil"}
     assert motions(told).index("bake") < max(n for n, (inputs, _, _) in enumerate(told) if "cucumber" in inputs)
+
+
+def test_biscuits_of_icing_sugar_hold_jam_between_two(steps):
+    told = steps("cookie", "Linzer biscuits", "flour:plain", "almonds:ground", "butter:diced", "icing sugar:powder",
+                 "egg yolk:uncooked", "redcurrant jam:jelly")  # fmt: skip
+    assert first(told, "icing sugar", "mix") < motions(told).index("bake") < motions(told).index("scoop")
+    assert motions(told)[-1] == "press"
+
+
+def test_biscuits_that_are_iced_are_cold_by_then(steps):
+    told = steps("cookie", "Iced biscuits", "flour:plain", "butter:unmelted", "caster sugar:granulated", "egg:beaten",
+                 "icing sugar:powder", "lemon juice:juice")  # fmt: skip
+    assert motions(told).index("bake") < motions(told).index("cool down") < first(told, "icing sugar", "stir")
+
+
+def test_cream_of_butter_for_a_cake_in_two_is_beaten_apart_and_the_cake_comes_first(steps):
+    told = steps("cake", "Victoria sandwich cake", "caster sugar:granulated", "butter:softened", "eggs:beaten",
+                 "self-raising flour:powder", "butter:softened:filling", "icing sugar:powder:filling",
+                 "strawberry jam:jelly:filling")  # fmt: skip
+    jam = next(place for place, (things, _, _) in enumerate(told) if "strawberry jam" in things)
+    assert motions(told).index("cool down") < first(told, "cake", "pick-and-place") < jam
+    assert jam < motions(told).index("blend", jam) < motions(told).index("spread", jam)
+
+
+def test_crumbs_of_crackers_lie_under_a_cream_of_cheese(steps):
+    told = steps("cake", "", "cracker:crumbs", "butter:juice", "cheese:softened", "sugar:ground", "egg:whole",
+                 "cream:creamy", "cherry:thick sauce")  # fmt: skip
+    assert motions(told).index("press") < motions(told).index("bake") < motions(told).index("chill")
+
+
+def test_sweet_cheese_is_no_part_of_a_dough_that_is_rolled_around_cinnamon(steps):
+    told = steps("bread", "", "flour:ground", "yeast:ground", "milk:juice", "butter:softened", "sugar:ground",
+                 "egg:whole", "cinnamon:ground", "brown sugar:ground", "cheese:softened", "vanilla:juice")  # fmt: skip
+    assert not {"cheese", "cinnamon"} & inside(told, "knead")
+    assert motions(told).index("bake") < motions(told).index("blend")
+
+
+@pytest.mark.parametrize("title", ["Uzvar", "Kompot", "Khoshaf", ""])
+def test_dried_fruit_is_boiled_for_a_drink(steps, title):
+    told = steps("drinks", title, "dried apricots:dried", "prunes:pitted", "raisins:whole", "honey:thick liquid",
+                 "water:liquid")  # fmt: skip
+    assert {"prunes", "raisins", "dried apricots", "water"} <= inside(told, "cook")

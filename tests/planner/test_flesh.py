@@ -216,3 +216,32 @@ def test_yogurt_that_a_curry_is_served_with_marinates_nothing(steps):
                  "coconut milk:liquid", "yogurt:plain:serving")  # fmt: skip
     assert "chill" not in motions(told)
     assert first(told, "yogurt", "scoop and pour") > motions(told).index("simmer")
+
+
+def test_yolks_and_cream_bind_a_stew_at_its_end(steps):
+    told = steps("chicken", "Waterzooi", "chicken:uncooked", "butter:unmelted", "leeks:cut", "carrots:cut",
+                 "chicken stock:liquid", "potatoes:quartered", "cream:creamy", "egg yolks:uncooked")  # fmt: skip
+    assert inside(told, "beat") == {"cream", "egg yolks"}
+    assert first(told, "egg mixture", "pour") > motions(told).index("simmer")
+
+
+def test_meatballs_are_turned_in_the_flour_beside_no_sauce(steps):
+    told = steps("meatball", "Keftedes", "minced beef:uncooked", "bread:soaked", "onion:grated", "egg:beaten",
+                 "red wine vinegar:liquid", "mint:chopped", "oregano:dried", "salt:granulated", "flour:plain",
+                 "oil:liquid")  # fmt: skip
+    assert {"mint", "oregano", "red wine vinegar"} <= inside(told, "mix")
+    assert "flour" not in inside(told, "mix")
+    assert motions(told).index("shape") < motions(told).index("dip") < motions(told).index("cook")
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "foods"),
+    [
+        ("soup", ("beef brisket:cooked, shredded", "beef stock:liquid", "onion:chopped", "oil:liquid")),
+        ("omelette", ("potatoes:cooked, sliced", "bacon:diced", "oil:liquid", "eggs:uncooked")),
+    ],
+)
+def test_cooked_flesh_in_shreds_and_cooked_potatoes_in_slices_are_boiled(steps, dish_type, foods):
+    told = steps(dish_type, "", *foods)
+    vessels = [set(node.ingredients) for _, _, outputs in told for node in outputs]
+    assert {"water", foods[0].partition(":")[0]} in vessels

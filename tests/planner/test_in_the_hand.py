@@ -212,3 +212,27 @@ def test_rice_with_ketchup_lies_under_an_omelette_that_is_fried_by_itself(steps)
     assert inside(told, "whisk") == {"egg", "milk"}
     assert any({"rice", "ketchup"} <= {*node.ingredients} and "egg" not in node.ingredients
                for _, motion, outputs in told if motion == "cook and stir" for node in outputs)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("title", "foods"),
+    [
+        ("Zapiekanka", ("baguettes:halved", "mushrooms:chopped", "onion:chopped", "butter:unmelted", "gouda:grated",
+                        "marjoram:dried", "ketchup:sauce:serving")),
+        ("Toast Hawaii", ("white bread:loaf", "butter:unmelted", "ham:processed meat", "pineapple:canned",
+                          "gouda:grated")),
+        ("French Bread Pizza", ("french bread:halved", "pizza sauce:sauce", "gouda:grated",
+                                "pepperoni:processed meat")),
+    ],
+)  # fmt: skip
+def test_cheese_melts_in_the_oven_on_an_open_toast(steps, title, foods):
+    told = steps("sandwich", title, *foods)
+    assert "gouda" in inside(told, "bake")
+    assert "fold" not in motions(told)
+
+
+def test_onions_for_a_cheesesteak_are_fried_with_the_meat_and_the_cheese_melts_on_it(steps):
+    told = steps("sandwich", "Philly Cheesesteak", "ribeye steak:sliced", "onion:diced", "provolone cheese:block",
+                 "hoagie rolls:split", "garlic:minced", "mayonnaise:creamy", "oil:liquid")  # fmt: skip
+    assert {"onion", "provolone cheese"} <= heated_with(told, "ribeye steak")
+    assert "mayonnaise" not in heated_with(told, "ribeye steak")

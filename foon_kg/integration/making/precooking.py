@@ -105,10 +105,18 @@ class Precooking:
 
     def _to_be_divided(self, want: Want) -> tuple[str, ...]:
         """Return how a food is cooked that is cut or mashed then: as it is asked, else in water to be mashed."""
-        mashed = want.then in word_list("only what is soft is so") and want.make in word_list("begins cooked")
-        if mashed or not want.make or self._is_boiled(want.make):
+        if want.make in word_list("begins cooked") and self._is_made_soft(want):
+            return _IN_WATER
+        if not want.make or self._is_boiled(want.make):
             return _IN_WATER
         return self._asked_cooking(want) or self._usual(want)
+
+    @staticmethod
+    def _is_made_soft(want: Want) -> bool:
+        """Whether a food is pulled apart or mashed once it is cooked, or such as nobody fries to have it done."""
+        facts, soft = want.facts, want.then in word_list("only what is soft is so")
+        pulled = want.then in word_list("is pulled apart so") and facts.is_any(word_list("is flesh"))
+        return soft or pulled or facts.is_any(word_list("is boiled rather than fried"))
 
     def _comes_into_a_pan(self, spot: Spot) -> bool:
         """Whether what joins there is first heated in a pan with no liquid in it."""
