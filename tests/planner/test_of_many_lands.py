@@ -79,3 +79,73 @@ def test_a_whole_bird_in_yogurt_is_roasted(steps):
                  "red onions:sliced")  # fmt: skip
     assert inside(told, "bake") >= {"chicken", "Greek-style yogurt"}
     assert "cook and stir" not in motions(told)
+
+
+def test_whole_spices_of_a_crust_are_ground_and_squid_is_cut(steps):
+    told = steps("seafood", "Salt and Pepper Squid", "squid hoods:cleaned", "sea salt flakes:granulated",
+                 "Sichuan peppercorns:whole", "cornflour:powder", "vegetable oil:liquid",
+                 "lemon wedges:whole:serving")  # fmt: skip
+    assert any("Sichuan peppercorns" in inputs and motion == "grind" for inputs, motion, _ in told)
+
+
+def test_patties_called_katsu_are_turned_in_crumbs(steps):
+    told = steps("burger", "Prawn Katsu Burger", "prawns:deveined", "egg white:uncooked", "potato starch:powder",
+                 "flour:plain", "egg:beaten", "panko breadcrumbs:crumbs", "vegetable oil:liquid:frying",
+                 "brioche buns:whole", "cabbage:shredded")  # fmt: skip
+    assert inside(told, "mash").isdisjoint({"panko breadcrumbs", "flour"})
+    assert motions(told).count("dip") == 3
+
+
+def test_balls_of_dough_are_soaked_in_syrup_or_simmered_in_it(steps):
+    told = steps("pudding", "Gulab Jamun", "milk powder:powder", "flour:plain", "baking powder:powder", "ghee:melted",
+                 "milk:warm", "vegetable oil:liquid", "caster sugar:granulated:syrup",
+                 "water:liquid:syrup")  # fmt: skip
+    assert motions(told).index("shape") < motions(told).index("flip") < motions(told).index("soak")
+    told = steps("pudding", "Golden Syrup Dumplings", "self-raising flour:powder", "butter:chopped", "egg:beaten",
+                 "milk:liquid", "water:liquid:syrup", "golden syrup:thick liquid:syrup")  # fmt: skip
+    assert "bake" not in motions(told)
+    assert inside(told, "simmer") >= {"self-raising flour", "golden syrup"}
+
+
+def test_nuts_of_a_paste_or_sauce_are_ground(steps):
+    told = steps("beef", "Beef Suya", "beef sirloin:sliced", "peanuts:roasted", "cayenne pepper:ground",
+                 "ginger:ground", "vegetable oil:liquid", "red onion:sliced:serving")  # fmt: skip
+    assert inside(told, "blend") >= {"peanuts", "cayenne pepper"}
+    told = steps("salad", "Gado-Gado", "potatoes:boiled", "green beans:trimmed", "hard-boiled eggs:halved",
+                 "peanuts:roasted:sauce", "red chillies:whole:sauce", "coconut milk:liquid:sauce")  # fmt: skip
+    assert inside(told, "blend") == {"peanuts", "red chillies"}
+
+
+def test_flesh_that_is_poached_is_not_baked_in_its_sauce(steps):
+    told = steps("chicken", "Saliva Chicken", "chicken breasts:raw", "ginger:whole", "chilli oil:liquid",
+                 "soy sauce:liquid", "black vinegar:liquid", "garlic:minced", "peanuts:chopped")  # fmt: skip
+    assert inside(told, "boil") >= {"chicken breasts"}
+    assert "chilli oil" in inside(told, "stir")
+    assert "bake" not in motions(told)
+
+
+def test_meal_is_stirred_smooth_before_a_drink_is_cooked(steps):
+    told = steps("drinks", "Champurrado", "masa harina:powder", "milk:liquid", "water:liquid",
+                 "Mexican chocolate:chopped", "piloncillo:granulated", "cinnamon stick:whole")  # fmt: skip
+    assert "masa harina" in inside(told, "beat")
+    assert "cook and stir" in motions(told)
+
+
+def test_long_bread_is_filled_with_marinated_flesh_and_soured_roots(steps):
+    told = steps("sandwich", "Banh Mi", "pork shoulder:sliced", "garlic:minced", "fish sauce:sauce", "oil:liquid",
+                 "baguettes:loaf", "carrots:julienned", "rice vinegar:liquid", "mayonnaise:creamy")  # fmt: skip
+    assert "mayonnaise" not in inside(told, "stir")
+    assert any({"carrots", "rice vinegar"} <= set(node.ingredients) and "baguettes" not in node.ingredients
+               for _, motion, outputs in told if motion == "stir" for node in outputs)  # fmt: skip
+
+
+def test_pitta_is_flat(steps):
+    told = steps("bread", "Pitta Bread", "strong white flour:powder", "yeast:powder", "salt:granulated",
+                 "olive oil:liquid", "water:warm")  # fmt: skip
+    assert not any(node.label == "loaf pan" for _, _, outputs in told for node in outputs)
+
+
+def test_roots_are_ground_with_the_eggs_where_the_cake_is_called_so(steps):
+    told = steps("cake", "Bolo de Cenoura", "carrots:chopped", "eggs:uncooked", "vegetable oil:liquid",
+                 "sugar:granulated", "flour:powder", "baking powder:powder")  # fmt: skip
+    assert inside(told, "blend") >= {"carrots", "eggs"}
