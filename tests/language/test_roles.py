@@ -12,9 +12,9 @@ from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.teaching.operators import LIKE_AT_ALL, Operators
 from foon_kg.model import RequiredIngredient
 from foon_kg.model.errors import UsageError
+from foon_kg.model.knowledge import UNLIKE
 from foon_kg.planning.likes import FoodLikes
 from foon_kg.similarity import cosine_similarity, food_similarity
-from foon_kg.similarity.confidences import LEAST
 from foon_kg.similarity.in_role import in_role
 from foon_kg.similarity.roles import roles, roles_of
 
@@ -40,7 +40,7 @@ def test_only_what_does_the_same_is_answered(name, role):
     found = dict(zip(KNOWN, food_similarity().in_slot(name, KNOWN, role), strict=True))
     for other, sure in found.items():
         assert sure == 0 or {role} <= roles_of(name) & roles_of(other)
-        assert sure == 0 or LEAST <= sure <= 1
+        assert sure == 0 or UNLIKE <= sure <= 1
     assert found[name] == (1.0 if role in roles_of(name) else 0.0)
 
 

@@ -10,9 +10,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from foon_kg.model.errors import UsageError
+from foon_kg.model.knowledge import UNLIKE
 from foon_kg.model.names import canonical
 from foon_kg.similarity import Neighbour, cosine_similarity, food_similarity, spacy_similarity
-from foon_kg.similarity.confidences import LEAST
 from foon_kg.similarity.evidence import KINDS
 from foon_kg.similarity.forms import plain
 from foon_kg.similarity.groups import food_groups
@@ -115,7 +115,7 @@ def test_every_similarity_answers_probabilities_and_certainty_only_for_one_food(
         assert matrix.shape == (len(wanted), len(known))
         assert ((matrix >= 0) & (matrix <= 1)).all()
         if similarity is food_similarity():
-            assert ((matrix == 0) | (matrix >= LEAST)).all()
+            assert ((matrix == 0) | (matrix >= UNLIKE)).all()
         for row, one in enumerate(wanted):
             for column, other in enumerate(known):
                 assert (canonical(one) != canonical(other)) or matrix[row, column] == 1
