@@ -19,10 +19,10 @@ from pathlib import Path
 import numpy as np
 
 from foon_kg.loaders.text_reader import read_text
+from foon_kg.model.knowledge import UNLIKE
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import cosine_similarity
-from foon_kg.similarity.confidences import LEAST
 from foon_kg.similarity.evidence import KINDS, Evidence
 from foon_kg.similarity.food import FoodSimilarity
 from foon_kg.similarity.groups import FoodGroups, food_groups
@@ -196,7 +196,7 @@ def fit_slots(weights: np.ndarray, known: list[str]) -> tuple[float, float]:
     return round(slope, DECIMALS), round(bias, DECIMALS)
 
 
-def told(judged: Judged, answers: np.ndarray, least: float = LEAST) -> list[tuple[float, int, int]]:
+def told(judged: Judged, answers: np.ndarray, least: float = UNLIKE) -> list[tuple[float, int, int]]:
     """Return the first :data:`TOLD` of each food: what is said, and where."""
     rows = []
     for row in range(len(judged.foods)):
