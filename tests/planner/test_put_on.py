@@ -78,3 +78,16 @@ def test_what_was_stirred_in_a_saucepan_is_poured_and_no_turner_lifts_it(steps):
                  "vanilla extract:liquid", "vanilla wafers:whole", "banana:sliced")  # fmt: skip
     moved = [motion for things, motion, _ in told if {"baking dish", "saucepan"} <= things]
     assert moved == ["pour"]
+
+
+def test_flour_is_sifted_out_of_its_bag_through_a_sieve(steps):
+    told = steps("cake", "Sponge cake", "flour:sifted", "sugar:granulated", "eggs:beaten", "butter:softened")
+    sifted = motions(told).index("sift")
+    assert {"bag", "strainer"} <= told[sifted - 1][0]
+    assert {"strainer", "bowl"} <= told[sifted][0]
+
+
+def test_fries_beside_mussels_are_baked_by_themselves(steps):
+    told = steps("seafood", "Moules frites", "mussels:raw", "white wine:liquid", "shallot:minced", "butter:unmelted",
+                 "parsley:chopped", "fries:frozen")  # fmt: skip
+    assert inside(told, "bake") == {"fries"}

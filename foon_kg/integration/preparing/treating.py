@@ -173,9 +173,20 @@ class Treater(Cutter):
         Return whether it does.
         """
         attested = self._way_so(ready.want, state)
-        if attested is not None:
-            self.bench.act(ready.stuff, attested, tuple(sorted({*ready.stuff.states, state})), BOWL)
-        return attested is not None
+        if attested is None:
+            return False
+        states = tuple(sorted({*ready.stuff.states, state}))
+        if any("strain" in able for able in self.known.motion(attested.way[0]).tools):
+            self._pass_through(ready, attested, states)
+        else:
+            self.bench.act(ready.stuff, attested, states, BOWL)
+        return True
+
+    def _pass_through(self, ready: Ready, attested: Attested, states: tuple[str, ...]) -> None:
+        """Pour a powder into a sieve and through that into a bowl, where it has ``states``."""
+        pours = self.bench.require([("pour", ())], ready.want.names)
+        self.bench.bring([ready.stuff], self.bench.vessel("strainer"), pours)
+        self.bench.bring([ready.stuff], self.bench.vessel(BOWL), attested, states)
 
     def _way_so(self, want: Want, state: str) -> Attested | None:
         """Return how hands bring a food into a state otherwise than by cutting it (sifted); ``None`` where none do."""
