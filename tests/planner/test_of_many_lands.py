@@ -149,3 +149,24 @@ def test_roots_are_ground_with_the_eggs_where_the_cake_is_called_so(steps):
     told = steps("cake", "Bolo de Cenoura", "carrots:chopped", "eggs:uncooked", "vegetable oil:liquid",
                  "sugar:granulated", "flour:powder", "baking powder:powder")  # fmt: skip
     assert inside(told, "blend") >= {"carrots", "eggs"}
+
+
+def test_minced_meat_is_fried_with_its_onions_before_dough_is_closed_around_it(steps):
+    told = steps("pie", "Beef Empanadas", "flour:powder:dough", "lard:creamy:dough", "water:warm:dough",
+                 "ground beef:uncooked:filling", "onions:finely chopped:filling", "olive oil:liquid:filling",
+                 "cumin:ground:filling", "hard-boiled eggs:chopped:filling")  # fmt: skip
+    assert inside(told, "cook and stir") >= {"ground beef", "onions"}
+    assert "hard-boiled eggs" not in inside(told, "cook and stir")
+
+
+def test_no_stone_is_taken_out_of_stuffed_olives(steps):
+    told = steps("beef", "Picadillo", "ground beef:uncooked", "onion:chopped", "olive oil:liquid",
+                 "tomato sauce:sauce", "pimento-stuffed green olives:halved")  # fmt: skip
+    assert not any("pimento-stuffed green olives" in inputs and motion == "core" for inputs, motion, _ in told)
+
+
+def test_cream_that_is_whipped_is_not_melted_with_chocolate(steps):
+    told = steps("cake", "", "flour:ground", "sugar:ground", "cocoa:ground", "baking soda:ground", "oil:juice",
+                 "egg:whole", "cream:whipped", "chocolate:grated")  # fmt: skip
+    assert not any("cream" in node.ingredients for _, motion, outputs in told if motion == "cook and stir"
+                   for node in outputs)  # fmt: skip
