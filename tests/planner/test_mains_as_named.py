@@ -114,3 +114,9 @@ def test_a_slow_roast_is_no_braise_and_peppercorns_are_crushed_on_a_steak(steps)
     told = steps("steak", "Steak au Poivre", "fillet steaks:raw", "peppercorns:whole", "brandy:liquid", "cream:creamy")
     crushed = [node for _, _, outputs in told for node in outputs if node.label == "peppercorns"]
     assert any("crushed" in node.states for node in crushed)
+
+
+def test_what_only_gives_its_taste_is_not_laid_on_what_is_done(steps):
+    told = steps("beef", "Beef in Cream Sauce", "beef:raw", "onion:chopped", "bay leaf:sprig", "butter:unmelted",
+                 "flour:powder", "cream:liquid")  # fmt: skip
+    assert "cook and stir" in motions(told)[first(told, "bay leaf", "pick-and-place") :]

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from foon_kg.food import singular, tables, words
 from foon_kg.food.lists import says, word_list
-from foon_kg.food.techniques import Around, Foods, Part, Technique
+from foon_kg.food.techniques import Around, Foods, Part, Technique, works
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.preparing.preparation import Want, owed
@@ -131,7 +131,8 @@ class _Assigner:
     """Assigns the foods of a recipe to parts: ``once`` by their numbers, ``more`` for second portions.
 
     ``named_lines`` are the lines of which the recipe says itself what is for them, ``others`` all but the dish's own;
-    ``taken`` is in which line a food is used up, ``""`` where another one may ask for more of it.
+    ``taken`` is in which line a food is used up, ``""`` where another one may ask for more of it; at the parts ``late``
+    a dish is cooked already, by identity.
     """
 
     def __init__(self, technique: Technique, joins: Sequence[Join], around: Around) -> None:
@@ -143,6 +144,7 @@ class _Assigner:
         self.once: dict[int, Assigned] = {}
         self.more: list[Assigned] = []
         self.taken: dict[int, str] = {}
+        self.late = {id(part) for part in _after_heat(technique.lines[MAIN])}
 
     def assign_as_told(self, line: str, requests: Sequence[_Request]) -> None:
         """Put what the recipe says is for a ``line`` where one of its ``requests`` means it, else at the first one."""
@@ -167,8 +169,9 @@ class _Assigner:
 
     def assign(self, request: _Request) -> None:
         """Put the foods that are requested there, unless they are somewhere already."""
+        late = id(request.part) in self.late
         for join in self._meant(request):
-            if join.want.number not in self.once:
+            if join.want.number not in self.once and not (late and _only_gives_taste(join)):
                 self._put(join, request)
                 self.taken[join.want.number] = request.line if request.foods.is_rest else ""  # else two of it: layers
 
@@ -221,6 +224,17 @@ class _Assigner:
         """Put foods at a stage of a line of which the recipe says what is for it, unless that joins at this stage."""
         if not any(one.part is request.part and one.join.want.part in self.named_lines for one in self.once.values()):
             self.assign(request)
+
+
+def _after_heat(parts: Sequence[Part]) -> Sequence[Part]:
+    """Return the ``parts`` of a line that come when all that is heated in it was heated; none where nothing is."""
+    heated = [place for place, part in enumerate(parts) if "heat" in works()[part.stage].does]
+    return parts[heated[-1] + 1 :] if heated else ()
+
+
+def _only_gives_taste(join: Join) -> bool:
+    """Whether a food is taken out of what it was cooked in: raw on what is done, it is nothing to eat."""
+    return join.want.facts.is_any(word_list("is taken out of the dish"))
 
 
 def _by_name(joins: Iterable[Join]) -> Iterable[list[Join]]:
