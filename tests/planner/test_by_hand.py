@@ -158,3 +158,13 @@ def test_nobody_lifts_out_of_a_saucepan_with_a_turner_what_has_no_form(title, fo
     emptied = [unit for unit in found if any(n.label == "saucepan" and "empty" in n.states for n in unit.output_nodes)]
     assert emptied
     assert all("turner" not in labels(unit) for unit in emptied)
+
+
+def test_what_was_baked_firm_is_poured_out_of_its_dish_by_no_name():
+    found = units(
+        "pudding", "Cherry clafoutis", cherries="pitted", butter="unmelted", caster_sugar="granulated", eggs="whole",
+        flour="plain", whole_milk="liquid", double_cream="creamy", vanilla_extract="liquid", icing_sugar="powder",
+    )  # fmt: skip
+    emptied = [unit for unit in found if any("hot" in n.states and "empty" in n.states for n in unit.output_nodes)]
+    assert emptied
+    assert all(unit.motion != "pour" for unit in emptied)

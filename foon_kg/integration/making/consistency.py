@@ -63,8 +63,12 @@ def _is_melted(stuff: Stuff, foods: Sequence[Food]) -> bool:
 
 def _has_set(stuff: Stuff, foods: Sequence[Food], known: Tables) -> bool:
     """Whether what ran is solid now that it was heated."""
-    baked = "baked" in stuff.states and binds(stuff.foods, known)
-    return baked or any(food.is_a("egg", "flour", "dough") for food in foods)
+    return _is_baked_firm(stuff, known) or any(food.is_a("egg", "flour", "dough") for food in foods)
+
+
+def _is_baked_firm(stuff: Stuff, known: Tables) -> bool:
+    """Whether a mixture was baked, and something in it bound the rest."""
+    return "baked" in stuff.states and binds(stuff.foods, known)
 
 
 def _has_liquid_left(foods: Sequence[Food]) -> bool:
@@ -95,6 +99,8 @@ def form_together(stuffs: Sequence[Stuff], known: Tables, *, whole: bool) -> str
 
 
 def _runs(stuff: Stuff, known: Tables) -> bool:
+    if stuff.mixed and _is_baked_firm(stuff, known):
+        return False  # whatever it is called: a pudding, an omelette
     return is_liquid_or_soft(stuff, known) or is_wet(stuff, known) or _is_stirred_in_pot(stuff, known)
 
 
