@@ -46,7 +46,7 @@ def play(scene: Scene, primitive: Form) -> None:
     if primitive.head in _WITHOUT_UNIT:
         return
     if rule is None or len(words) < rule.least or len(words) != len(primitive.items) - 1:
-        what = "is no primitive that foon-kg knows" if rule is None else f"takes {rule.least} words at least"
+        what = "is no primitive that foon-kg knows" if rule is None else f"takes words alone, {rule.least} at least"
         problem = Problem(NoticeKind.UNKNOWN_LINE, f"“{primitive.head}” {what}")
         scene.journal.reject(primitive.line, problem)
         return
@@ -104,9 +104,9 @@ def _proportion(scene: Scene, words: Sequence[str]) -> None:
     label = " ".join(parts[1:] if state else parts)
     own = (state,) if state else ("whole",) if unit in {"piece", "stalk", "clove"} else ()
     bowl = scene.vessel(words[3], "bowl")
-    after = bowl.of([ObjectNode(label, own)])
+    after, taken = bowl.put([ObjectNode(label, own)])
     motion = "pick-and-place" if "whole" in own else "pour"
-    scene.add(motion, (ObjectNode(label, own), bowl.node()), (after.node(), *after.foods))
+    scene.add(motion, (ObjectNode(label, own), bowl.node()), (after.node(), *taken))
     scene.bind(out, after)
 
 
@@ -143,19 +143,17 @@ def _dip(scene: Scene, words: Sequence[str]) -> None:
 
 def _crack(scene: Scene, words: Sequence[str]) -> None:
     eggs, bowl = scene.filled(words[3]), scene.vessel(words[4], "bowl")
-    after = bowl.of((*bowl.foods, *(replace(egg, states=("cracked",)) for egg in eggs.foods)))
+    after, cracked = bowl.put(replace(egg, states=("cracked",)) for egg in eggs.foods)
     emptied = replace(eggs, foods=())
-    scene.add("crack", (eggs.node(), *eggs.foods, bowl.node()), (after.node(), after.foods[-1], emptied.node()))
+    scene.add("crack", (eggs.node(), *eggs.foods, bowl.node()), (after.node(), *cracked, emptied.node()))
     scene.bind(words[0], after)
 
 
 def _sift(scene: Scene, words: Sequence[str]) -> None:
     target, source = scene.vessel(words[3], "bowl"), scene.filled(words[4])
-    sifted = replace(source, foods=tuple(replace(food, states=("sifted",)) for food in source.foods))
-    after = target.of((*target.foods, *sifted.foods))
+    after, sifted = target.put(replace(food, states=("sifted",)) for food in source.foods)
     inputs = (source.node(), *source.foods, target.node(), scene.tool(words, 5, "sieve"))
-    outputs = (after.node(), *after.foods[-len(source.foods) :], replace(source, foods=()).node())
-    scene.add("sift", inputs, outputs)
+    scene.add("sift", inputs, (after.node(), *sifted, replace(source, foods=()).node()))
     scene.bind(words[0], after)
 
 
@@ -228,20 +226,22 @@ def _prepare(motion: str, state: str, stuff: str) -> Callable[[Scene, Sequence[s
 
 
 _COLD = 15
+"""In °C: what is brought to less is cooled, whatever it was before."""
+
 _HOT = frozenset({"baked", "cooked", "boiled", "melted", "fried"})
 
 
 def _temperature(scene: Scene, words: Sequence[str]) -> None:
     """Play cooling where the food is hot or the aim is cold; else what comes from the fridge is left to soften."""
     states = {state for food in scene.filled(words[3]).foods for state in food.states}
-    cold = re.fullmatch(r"\d+(\.\d+)?", words[4]) is not None and float(words[4]) < _COLD
+    cold = re.fullmatch(_NUMBER, words[4]) is not None and float(words[4]) < _COLD
     motion, state = ("cool", "cooled") if cold or states & _HOT else ("leave", "softened")
     scene.change(words, 3, motion, lambda old: replace(old, states=(*old.states, state)))
 
 
 def _cover(scene: Scene, words: Sequence[str]) -> None:
     before = scene.filled(words[3])
-    after = replace(before, states=("covered",))
+    after = replace(before, states=(*before.states, "covered"))
     lid = scene.tool(words, 4, "lid")
     scene.add("cover", (before.node(), *before.foods, lid), (after.node(), *after.foods))
     scene.bind(words[0], after)
@@ -249,22 +249,24 @@ def _cover(scene: Scene, words: Sequence[str]) -> None:
 
 def _uncover(scene: Scene, words: Sequence[str]) -> None:
     before = scene.filled(words[4])
-    after = replace(before, states=())
+    after = replace(before, states=tuple(state for state in before.states if state != "covered"))
     scene.add("uncover", (before.node(), *before.foods), (after.node(), *after.foods))
     scene.bind(words[0], after)
 
 
+_EGG_PARTS = ("yolk", "white")
+"""In the order in which MUHAI names their bowls."""
+
+
 def _separate(scene: Scene, words: Sequence[str]) -> None:
     eggs = scene.filled(words[4])
-    parts = [
-        scene.vessel(vessel, "bowl").of([ObjectNode(f"egg {part}", ("raw",))])
-        for part, vessel in (("yolk", words[5]), ("white", words[6]))
-    ]
-    bowls = (scene.vessel(vessel, "bowl").node() for vessel in words[5:7])
-    outputs = [node for part in parts for node in (part.node(), *part.foods)]
-    scene.add("separate", (eggs.node(), *eggs.foods, *bowls), (*outputs, replace(eggs, foods=()).node()))
-    for variable, part in zip(words, parts, strict=False):
-        scene.bind(variable, part)
+    bowls = [scene.vessel(vessel, "bowl") for vessel in words[5:7]]
+    parted = [bowl.put([ObjectNode(f"egg {part}", ("raw",))]) for bowl, part in zip(bowls, _EGG_PARTS, strict=True)]
+    outputs = [node for after, part in parted for node in (after.node(), *part)]
+    inputs = (eggs.node(), *eggs.foods, *(bowl.node() for bowl in bowls))
+    scene.add("separate", inputs, (*outputs, replace(eggs, foods=()).node()))
+    for variable, (after, _) in zip(words[:2], parted, strict=True):
+        scene.bind(variable, after)
 
 
 def _leave(scene: Scene, words: Sequence[str]) -> None:

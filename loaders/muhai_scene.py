@@ -47,6 +47,16 @@ class Held:
         placed = (ObjectNode(food.label, food.states, food.ingredients, "in", self.vessel) for food in foods)
         return replace(self, foods=tuple(dict.fromkeys(placed)))
 
+    def put(self, foods: Iterable[ObjectNode]) -> tuple[Held, tuple[ObjectNode, ...]]:
+        """Return this vessel with ``foods`` beside what is in it, and how they are there; one that is there stays one.
+
+        >>> bowl, there = Held("bowl").of([ObjectNode("flour"), ObjectNode("sugar")]).put([ObjectNode("flour")])
+        >>> [str(food) for food in bowl.foods], [str(food) for food in there]
+        (['flour (in bowl)', 'sugar (in bowl)'], ['flour (in bowl)'])
+        """
+        there = self.of(foods).foods
+        return self.of((*self.foods, *there)), there
+
 
 class Scene:
     """What each variable stands for while a network is played, and the units so far."""
@@ -147,8 +157,7 @@ class Scene:
 
         ``out`` stands for that then; ``with_`` are the tools that it takes.
         """
-        after = target.of((*target.foods, *source.foods))
-        moved = after.foods[-len(source.foods) :]
+        after, moved = target.put(source.foods)
         self.add(
             motion,
             (source.node(), *source.foods, target.node(), *with_),

@@ -11,8 +11,10 @@ import csv
 import json
 import re
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from functools import partial
 from io import TextIOWrapper
+from itertools import islice
 from pathlib import Path
 from types import ModuleType
 
@@ -163,7 +165,8 @@ def _json_lines(path: Path) -> Iterator[tuple[int, object]]:
                 if text.strip():
                     yield line, _value(path, line, text.strip())
     except UnicodeDecodeError as error:
-        raise ReadError(f"{path}:{line + 1}: not UTF-8 text", hint="Save it as UTF-8.") from error
+        line += 1 + error.object[: error.start].count(b"\n")  # a block is read before the lines in it come
+        raise ReadError(f"{path}:{line}: not UTF-8 text", hint="Save it as UTF-8.") from error
     except OSError as error:
         raise ReadError(f"{path}: {error.strerror}", hint="Make the file readable.") from error
 
@@ -210,12 +213,26 @@ def _csv(path: Path) -> Iterator[tuple[int, object]]:
 
 def _csv_columns(path: Path) -> int:
     """Return how many columns the first row has; of one that cannot be read the reader itself tells what is wrong."""
-    try:
-        with TextIOWrapper(open_regular(path), encoding="utf-8-sig", errors="replace", newline="") as stream:
-            lines = iter(partial(stream.readline, LONGEST_LINE), "")  # a line without end is not read to its end
-            return len(next(csv.reader(lines), ()))
-    except csv.Error:
-        return 0
+    return next((len(cells) for _, cells in _csv_rows(path)), 0)
+
+
+def _csv_line(path: Path, row: int) -> int:
+    """Return the line on which a ``row`` (from 1) begins; its number where pandas alone reads so far."""
+    return next((line for line, _ in islice(_csv_rows(path), row - 1, None)), row)
+
+
+def _csv_rows(path: Path) -> Iterator[tuple[int, list[str]]]:
+    """Yield each row with the line on which it begins: pandas counts rows, and a cell may hold line ends.
+
+    Ends where Python's own reader, which is slower than that of pandas, cannot read on.
+    """
+    begins = 1
+    with TextIOWrapper(open_regular(path), encoding="utf-8-sig", errors="replace", newline="") as stream:
+        rows = csv.reader(iter(partial(stream.readline, LONGEST_LINE), ""))  # a line without end is not read to its end
+        with suppress(csv.Error):
+            for cells in rows:
+                yield begins, cells
+                begins = rows.line_num + 1
 
 
 def _refuse_many(path: Path, columns: int) -> None:
@@ -232,9 +249,11 @@ def _no_table(path: Path, number: int, error: Exception) -> ReadError:
     said = str(error).strip()
     if cells := _TOO_MANY_CELLS.search(said):
         hint = "A cell with a comma needs quotes around it."
-        return ReadError(f"{path}:{cells[2]}: {cells[3]} cells under {cells[1]} columns", hint=hint)
+        line = _csv_line(path, int(cells[2]))
+        return ReadError(f"{path}:{line}: {cells[3]} cells under {cells[1]} columns", hint=hint)
     if row := _OPEN_QUOTE.search(said):
-        return ReadError(f"{path}:{int(row[1]) + 1}: a quote begins here and does not end", hint="End it.")
+        line = _csv_line(path, int(row[1]) + 1)
+        return ReadError(f"{path}:{line}: a quote begins here and does not end", hint="End it.")
     return ReadError(f"{path}: after recipe {number}: no CSV table: {said}", hint="Mend it there.")
 
 

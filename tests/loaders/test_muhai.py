@@ -91,6 +91,40 @@ def test_a_name_that_is_bound_again_is_what_it_was_bound_to_last() -> None:
     assert result.notices == ()
 
 
+TWICE = """(defparameter *recipe* '((get-kitchen ?k)
+ (fetch-and-proportion ?flour ?k1 ?k ?c1 flour 60 g)
+ (fetch-and-proportion ?both ?k2 ?k1 ?flour sugar 50 g)
+ (fetch-and-proportion ?more ?k3 ?k2 ?c2 flour 20 g)
+ (transfer-contents ?all ?r1 ?k4 ?k3 ?both ?more ?q1 ?u1)))"""
+
+
+def test_what_is_fetched_into_a_bowl_joins_what_is_in_it() -> None:
+    assert units(read_muhai_text(TWICE, "sweet-flour"))[1][2] == ["bowl ({flour, sugar})", "sugar (in bowl)"]
+
+
+def test_of_a_food_that_the_bowl_has_already_it_is_that_food_that_comes() -> None:
+    made = units(read_muhai_text(TWICE, "sweet-flour"))[-1][2]
+    assert made == ["bowl ({flour, sugar})", "flour (in bowl)", "bowl (empty)"]
+
+
+def test_all_that_is_cracked_comes_into_the_bowl() -> None:
+    text = """(defparameter *recipe* '((get-kitchen ?k)
+     (fetch-and-proportion ?a ?k1 ?k ?c1 egg 2 piece)
+     (fetch-and-proportion ?eggs ?k1 ?k ?a quail-egg 2 piece)
+     (crack ?cracked ?k2 ?k1 ?eggs ?c2 ?u)))"""
+    made = units(read_muhai_text(text, "eggs"))[-1][2]
+    assert made[1:3] == ["egg (cracked; in bowl)", "quail egg (cracked; in bowl)"]
+
+
+def test_a_tin_that_was_lined_is_lined_still_when_its_cover_is_off() -> None:
+    text = """(defparameter *recipe* '((get-kitchen ?k)
+     (line ?tin ?k1 ?k ?pan ?paper)
+     (fetch-and-proportion ?filled ?k2 ?k1 ?tin flour 60 g)
+     (cover ?covered ?k3 ?k2 ?filled ?lid)
+     (uncover ?open ?k4 ?k3 ?lid ?covered)))"""
+    assert units(read_muhai_text(text, "tin"))[-1][2][0] == "baking tray (lined; {flour})"
+
+
 def test_each_unit_has_the_line_of_its_primitive() -> None:
     assert read_muhai_text(BREAD, "butter-bread").lines == (2, 3, 4, 5, 6, 7, 8, 8)
 

@@ -249,6 +249,12 @@ def test_a_broken_table_is_an_error_that_names_the_file(tmp_path, name, raw):
         collections.check()
 
 
+def test_a_line_that_is_no_text_is_named_though_the_lines_before_it_were_read_with_it(tmp_path):
+    (tmp_path / "r.jsonl").write_bytes(b'{"ingredients": ["salt"]}\n' * 3 + b'{"ingredients": ["\xff"]}\n')
+    with pytest.raises(ReadError, match=r"r\.jsonl:4: not UTF-8"):
+        read(tmp_path / "r.jsonl")
+
+
 def test_a_dish_type_that_there_is_none_is_told_and_the_title_counts(tmp_path):
     (tmp_path / "r.json").write_text(json.dumps({**QUERY, "type": "sushi", "title": "Rice Salad"}), encoding="utf-8")
     ([kept], [notice]) = read(tmp_path / "r.json")
@@ -286,6 +292,8 @@ def test_a_line_longer_than_any_is_told_and_kept_unread(folder, lines):
     [
         ('title,ingredients\nSoup,salt\nPie,"2 cups\n', ":3: a quote begins here and does not end"),
         ("title,ingredients\nSoup,salt\nPie,2 cups, water\n", ":3: 3 cells under 2 columns"),
+        ('title,ingredients\nSoup,"salt\nwater"\n\nPie,"2 cups\n', ":5: a quote begins here and does not end"),
+        ('title,ingredients\nSoup,"salt\nwater"\n\nPie,2 cups, water\n', ":5: 3 cells under 2 columns"),
         ("", ": the file is empty"),
         ("ingredients" + ",c" * MOST_COLUMNS + "\nsalt\n", ": 1001 columns, and 1000 are the most"),
         ('"ingredients\n"' + ",c" * MOST_COLUMNS + "\nsalt\n", ": 1001 columns, and 1000 are the most"),
