@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import Food, words
 from foon_kg.food.lists import says, word_list
-from foon_kg.integration.joining.patterns import SIMMER, STIR
+from foon_kg.integration.joining.patterns import COOK, SIMMER, STIR
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
@@ -112,10 +112,20 @@ class VesselOverHeat:
         """
         wet = bath and boils(parts[-1])
         shown = self.shown(wet=wet, last=last)
+        if self._breaks(parts, shown, bath=bath):
+            return _done_like(self.hot[-1], SIMMER if bath else COOK)
         if shown is None:
             return _done_like(self.hot[-1], SIMMER if wet and not thickens(parts) else STIR)
         stirred = thickens(parts) if wet else not bath and "liquid" in shown.does
         return _done_like(shown, STIR) if stirred else shown
+
+    def _breaks(self, parts: Sequence[Sequence[Addition]], shown: Stage | None, *, bath: bool) -> bool:
+        """Return whether what the video has ``shown`` stirs to pieces what came; what is tossed dry may fall apart."""
+        if shown is not None and "mix" not in shown.does:
+            return False
+        if not bath and any_is(self.within, "egg", *word_list("is eaten with a sauce")):
+            return False
+        return any(_is_soft(addition.facts) for part in parts for addition in part)
 
 
 def phase_of(facts: Food) -> str:
@@ -255,6 +265,12 @@ def thickens(parts: Sequence[Sequence[Addition]]) -> bool:
     facts = [addition.facts for part in before for addition in part if addition.facts is not None]
     bound = any(one.is_a("flour") for one in facts) and any(one.is_a("fat") for one in facts)
     return bound and all(_is_stirred_on_flour(addition.facts) for addition in last)
+
+
+def _is_soft(facts: Food | None) -> bool:
+    """Whether a spoon stirs a food to pieces."""
+    soft = facts is not None and facts.is_any(word_list("breaks when it is stirred"))
+    return soft and facts is not None and not facts.is_any(word_list("is stirred and stays whole"))
 
 
 def _is_stirred_on_flour(facts: Food | None) -> bool:

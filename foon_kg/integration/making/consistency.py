@@ -14,6 +14,7 @@ from foon_kg.integration.teaching.forms import form_of
 from foon_kg.world.running import is_runny
 
 _DRY = word_list("coats dry")
+_BINDS = (_DRY | word_list("coats wet")) - word_list("is a sauce around flesh")
 _COATING = _DRY | word_list("coats wet") | word_list("clings to what is coated")
 _HOLDS = word_list("holds a mixture together")
 
@@ -134,9 +135,11 @@ def is_uncut(stuff: Stuff, known: Tables) -> bool:
 
 
 def _is_cut_in_liquid(foods: Sequence[Food]) -> bool:
-    """Whether foods are in a liquid that stays so, or all flesh of them comes in mouthfuls."""
+    """Whether foods are in a liquid that stays so, or in milk that makes no crust, or all flesh comes in mouthfuls."""
     flesh = (food for food in foods if food.is_any(word_list("is coated")))
-    return _is_in_liquid(foods) or all(food.is_any(word_list("is a mouthful")) for food in flesh)
+    dairy = any(food.kind in word_list("is a sauce around flesh") for food in foods)
+    braised = _is_in_liquid(foods) or (dairy and not any(food.is_any(_BINDS) for food in foods))
+    return braised or all(food.is_any(word_list("is a mouthful")) for food in flesh)
 
 
 def _is_breaded(stuff: Stuff, known: Tables) -> bool:

@@ -129,9 +129,10 @@ class Doing:
 
     def take_out(self, turn: Turn, vessel: Vessel) -> Vessel:
         """Take out of a pot what only gave its taste, before that is poured, served or blended; return its vessel."""
-        if not turn.heats or vessel.relation != "on" or turn.heats_later or not self.work.taking_out.is_due(vessel):
+        if not turn.heats or vessel.relation != "on" or not self.work.taking_out.is_due(vessel):
             return vessel
-        self.bench.heat_off(vessel)
+        if turn.heats_later and not _is_crushed_next(turn):
+            return vessel
         if len(vessel.contents) > 1:
             own = (
                 self.plan.label
@@ -139,4 +140,11 @@ class Doing:
                 else self.work.outcome.label(turn.stage, vessel)
             )
             self.work.name(vessel, own or MIXTURE)
+        self.bench.heat_off(vessel)
         return self.work.taking_out.take_out(vessel)
+
+
+def _is_crushed_next(turn: Turn) -> bool:
+    """Whether the next that is done to what a stage of ``turn`` cooks leaves no piece of it to be found again."""
+    after = next((stage for stage in turn.later if not stage.does.isdisjoint(WORKS)), None)
+    return after is not None and not after.does.isdisjoint({"blend", "mash", "shape"})
