@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
+
 import pytest
 from kitchen_stories import SALAD, subgraph
 
+from foon_kg.model.errors import SchemaError
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import load, remove
 from foon_kg.store.graph.edition import MOST_UNITS, Edition
@@ -60,6 +63,21 @@ def test_a_load_between_two_questions_shows_in_the_next_view(connection, graph):
         view.goals("salad")
     with graph.reading() as view:
         assert questions_of_a_plan(view) == questions_of_a_plan(Snapshot.of([salad], Kitchen.default()))
+
+
+@pytest.mark.neo4j
+@pytest.mark.parametrize(("now", "error"), [("methods", None), ("kitchen", SchemaError)])
+def test_who_wrote_meanwhile_is_looked_at_as_at_the_beginning(connection, graph, now, error):
+    """Another foon-kg may have learnt what is there anew, or have written it with another kitchen."""
+    load(connection, [salad])
+    with graph.reading() as view:
+        view.vocabulary()
+        assert (view.moved(), view.is_learnt_by_this_program) == (False, True)
+        with connection.session(writing=True) as session:
+            session.run(f"MATCH (f:Foon) SET f.edition = 'another', f.{now} = 'another'").consume()
+        with pytest.raises(error) if error else nullcontext():
+            assert view.moved()
+            assert not view.is_learnt_by_this_program
 
 
 def test_an_edition_that_is_not_told_apart_is_never_kept():

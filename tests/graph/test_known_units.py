@@ -52,3 +52,15 @@ def test_in_how_many_questions_units_are_asked_for_changes_none(connection, grap
     with Neo4jGraph(empty_graph) as another, another.reading() as view:
         assert view.behind(goals) == whole
         assert view.round_trips > 10
+
+
+@pytest.mark.neo4j
+def test_in_how_many_questions_foods_are_asked_for_loses_none(connection, graph, empty_graph, monkeypatch):
+    load(connection, demo_subgraphs())
+    with graph.reading() as view:
+        whole = view.vocabulary()
+        assert view.words_named(whole.labels).foods == whole.foods
+    monkeypatch.setattr(reading, "FOODS_AT_ONCE", 7)
+    with Neo4jGraph(empty_graph) as another, another.reading() as view:
+        assert view.words_named(whole.labels).foods == whole.foods
+        assert view.round_trips > 3

@@ -21,17 +21,14 @@ from foon_kg.store.server import connection_settings, start, stop
 VIDEOS = ("greek_salad.txt", "spanish_omelette.txt", "garden_salad.txt")
 
 
-RECIPES = """\
-id,title,ingredients
-1,Greek Salad,"2 tomatoes, chopped
-1 cucumber, sliced
-120 g feta"
-2,Jicama Bowl,"1 jicama, diced
-the rest of it"
-3,Onion Soup with Bread,"3 onions, sliced
-1 jicama"
-"""
-COLLECTED = 3
+RECIPES = [
+    {"id": "1", "title": "Greek Salad", "ingredients": ["2 tomatoes, chopped", "1 cucumber, sliced", "120 g feta"]},
+    {"id": "2", "title": "Jicama \u201cBowl\u201d", "ingredients": ["1 jicama, \tdiced", '"???"\x1f!\r\n, !']},
+    {"id": "3", "title": "Onion Soup with Bread", "ingredients": ["3 onions, sliced", "1 jicama"]},
+]
+"""Also what no table likes to hold."""
+
+COLLECTED = len(RECIPES)
 NAMED = ("uri", "user", "password", "database")
 
 
@@ -46,8 +43,8 @@ def test_an_import_is_what_a_load_writes_and_takes_the_place_of_nothing_unasked(
 ):
     files = [demo_folder() / name for name in VIDEOS]
     load(connection, [result.subgraph for result in read_paths(files)])
-    collection = tmp_path / "recipes.csv"
-    collection.write_text(RECIPES, encoding="utf-8")
+    collection = tmp_path / "recipes.json"
+    collection.write_text(json.dumps(RECIPES), encoding="utf-8")
     for name in NAMED:
         monkeypatch.setenv(f"NEO4J_{name.upper()}", getattr(empty_graph, name))
     brought = CliRunner().invoke(app, ["load", "recipes", str(collection), "--json"])
@@ -114,8 +111,8 @@ def test_what_a_killed_import_has_left_at_work_is_ended(tmp_path):
 
 
 def test_a_dry_run_tells_of_the_recipes_too(tmp_path):
-    collection = tmp_path / "recipes.csv"
-    collection.write_text(RECIPES, encoding="utf-8")
+    collection = tmp_path / "recipes.json"
+    collection.write_text(json.dumps(RECIPES), encoding="utf-8")
     told = run(demo_folder() / VIDEOS[0], "--offline", "--dry-run", "--recipes", collection)
     assert told.exit_code == 0, told.output
     counts = json.loads(told.stdout)

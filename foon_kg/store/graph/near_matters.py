@@ -8,7 +8,6 @@ from typing import Any
 
 from foon_kg.food import tables
 from foon_kg.integration.teaching.operators import LIKE_AT_ALL
-from foon_kg.model.names import canonical
 from foon_kg.similarity.points import Question, question
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.equivalents import FIRST, MORE
@@ -74,11 +73,11 @@ class KnownMatters:
 
 
 def _asked(food: str, about: Question) -> dict[str, Any]:
-    return {"name": food, "canonical": canonical(food), "point": about.point, "least": _least(about)}
+    return {"name": food, "canonical": about.canonical_name, "point": about.point, "least": _least(about)}
 
 
 def _least(about: Question) -> float:
-    """Return the least cosine of which a food may have whose likeness is worth a word; none is at less."""
+    """Return a cosine: no food whose point is at less is like the one that is asked ``about`` at all."""
     low, high = -1.0, 1.0
     for _ in range(_HALVINGS):
         middle = (low + high) / 2

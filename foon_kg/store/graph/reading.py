@@ -126,8 +126,9 @@ class GraphView:
         """Return what the FOON knows of the foods with these ``names``; of words nothing else."""
         missing = sorted(set(names) - self._edition.rows_of.keys())
         for start in range(0, len(missing), FOODS_AT_ONCE):
-            (row,) = self._ask(FOOD_ROWS, names=missing[start : start + FOODS_AT_ONCE])
-            self._keep_rows(missing, row.foods)
+            some = missing[start : start + FOODS_AT_ONCE]
+            (row,) = self._ask(FOOD_ROWS, names=some)
+            self._keep_rows(some, row.foods)
         rows = chain.from_iterable(self._edition.rows_of[name] for name in set(names))
         return Vocabulary(tuple(sorted(rows)), (), ())
 
@@ -317,14 +318,14 @@ class GraphView:
         return self._edition
 
     def moved(self) -> bool:
-        """Return whether somebody wrote since the view began; then it begins anew.
+        """Return whether somebody wrote since the view began; then it begins anew, as :meth:`begin` does.
 
         Neo4j shows a transaction what others commit meanwhile. Where nothing but the edition was asked nothing moved.
         """
         state = next(iter(self._ask(SCHEMA_STATE)), None) if self.round_trips > 1 else None
         if state is None or state.edition == self._edition.name:
             return False
-        self._edition = Edition(state.edition)
+        self.begin(self._kitchen, self._edition)  # who wrote may be another foon-kg, or have another kitchen
         self.retrieved.clear()
         self._fetched.clear()
         return True

@@ -31,6 +31,9 @@ from foon_kg.store.graph.statements import Ask, ask
 
 RECIPES_PER_TRANSACTION = 1_000
 
+_SPACED = {0x1F: " "}
+"""An import joins lists by this character, which Python takes for white space like others."""
+
 Understand = Callable[[Sequence[CollectedRecipe]], Sequence[UnderstoodRecipe]]
 
 
@@ -288,7 +291,7 @@ def _row(understood: UnderstoodRecipe, version: str) -> dict[str, object]:
             "source": recipe.place,
             "partition": recipe.partition,
             "url": recipe.url,
-            "left_over": list(understood.left_over) or None,
+            "left_over": [text.translate(_SPACED) for text in understood.left_over] or None,
         },
         "classes": [{"name": dish.name, "sure": dish.sure} for dish in understood.dish_classes],
         "ingredients": [
