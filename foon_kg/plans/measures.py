@@ -68,7 +68,7 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
     things. How much of a food is taken is said where it first comes into the tree, unless somebody asked for an amount
     of it. Nothing is said of other foods than the recorded ones.
     """
-    said = _said_in(video, recorded)
+    said = _measured_in(video, recorded)
     timed = [(unit, rest) for unit, measures in said if (rest := replace(measures, amounts=()))]
     amounts = _amounts_by_food((measures for _, measures in said), apart_from=_foods_asked(units))
     there: set[ObjectNode] = set()
@@ -88,7 +88,7 @@ def _measured(unit: TreeUnit, recorded: Measures, amounts: tuple[str, ...]) -> T
     return replace(unit, measures=replace(recorded, amounts=amounts, asked=unit.measures.asked))
 
 
-def _said_in(video: str, recorded: Iterable[KnownUnit]) -> list[tuple[FunctionalUnit, Measures]]:
+def _measured_in(video: str, recorded: Iterable[KnownUnit]) -> list[tuple[FunctionalUnit, Measures]]:
     """Return what a video says of its units, in the order of the video."""
     seen = [(s.position, known.unit, s.measures) for known in recorded for s in known.seen_in if s.video == video]
     said = sorted((row for row in seen if row[2]), key=lambda row: (row[0], row[1].key))

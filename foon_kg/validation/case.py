@@ -58,9 +58,9 @@ class Case:
         return world
 
     @property
-    def happenings(self) -> list[PlayedStep]:
+    def played_steps(self) -> list[PlayedStep]:
         """What happened in each unit."""
-        return self.world.happenings
+        return self.world.played_steps
 
     @property
     def tables(self) -> Tables:
@@ -120,8 +120,8 @@ class Case:
         """The goal as a thing of the world; ``None`` where nothing is the goal."""
         if self.goal is None:
             return None
-        for happening in reversed(self.happenings):
-            for node, lump in happening.outputs.items():
+        for played_step in reversed(self.played_steps):
+            for node, lump in played_step.outputs.items():
                 if node == self.goal:
                     return lump
         return None
@@ -154,7 +154,7 @@ class Case:
         """Whether ``name`` is that of what was taken out of a pot, and ``part`` the water that boiled in it."""
         if not self.tables.foods.food(name).is_any(word_list("is the water of a pot")) or not part.food.is_a("water"):
             return False
-        taken = (h for h in self.happenings if name in {singular(node.label) for node in h.outputs})
+        taken = (h for h in self.played_steps if name in {singular(node.label) for node in h.outputs})
         return part.heated is not None and any(part.name in {singular(node.label) for node in h.inputs} for h in taken)
 
     @cached_property
@@ -195,7 +195,7 @@ def was_taken_out(case: Case, food: str) -> bool:
         given |= word_list("is taken out of what is drunk") | word_list("stays in a strainer")
     if not any(facts.is_any(given) for facts in _as_asked(case, food)):
         return False
-    nodes = (node for happening in case.happenings for node in happening.outputs)
+    nodes = (node for played_step in case.played_steps for node in played_step.outputs)
     return any(len(node.ingredients) > 1 and food in map(singular, node.ingredients) for node in nodes)
 
 

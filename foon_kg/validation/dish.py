@@ -62,11 +62,11 @@ def _unbaked(case: Case, goal: ObjectNode) -> Iterator[Finding]:
 def _called_too_early(case: Case, goal: ObjectNode) -> Iterator[Finding]:
     """Yield the steps that call something by the name of the dish before what makes that is in it."""
     needs = [need for dish in case.tables.dishes_named(goal.label) if dish.is_type for need in dish.needs]
-    for happening, need in itertools.product(case.happenings, needs):
-        early = tuple(node for node in happening.outputs if node.label == goal.label and _lacks(case, node, need))
+    for played_step, need in itertools.product(case.played_steps, needs):
+        early = tuple(node for node in played_step.outputs if node.label == goal.label and _lacks(case, node, need))
         if early and _has_one(case, need):
             first = need[0].rpartition(":")[2]
-            yield Finding("K5", f"“{goal.label}” before {first} is in it", happening.number, early)
+            yield Finding("K5", f"“{goal.label}” before {first} is in it", played_step.number, early)
 
 
 def _lacks(case: Case, node: ObjectNode, needs: tuple[str, ...]) -> bool:
@@ -136,7 +136,10 @@ def _is_raw_sauce(case: Case, goal: ObjectNode) -> bool:
 
 def _baked(case: Case) -> bool:
     """Whether something of the dish was in dry heat, in an oven or in a microwave."""
-    return any(happening.does("heat") and (happening.does("dry") or happening.in_oven) for happening in case.happenings)
+    return any(
+        played_step.does("heat") and (played_step.does("dry") or played_step.in_oven)
+        for played_step in case.played_steps
+    )
 
 
 def _sets_cold(case: Case, dish: Dish) -> bool:
@@ -155,7 +158,7 @@ def _is_flat(case: Case, dish: Dish) -> bool:
     """Whether a dish that may be made in a pan was rolled thin, and nothing is in it that raises it."""
     raises = word_list("makes dough rise") | {"egg", "leaven"}
     flat = dish.name in word_list("is done in a pan where it is flat") and _was_hot(case)
-    thin = any(happening.does("shape") for happening in case.happenings)
+    thin = any(played_step.does("shape") for played_step in case.played_steps)
     return flat and thin and not any(part.food.is_any(raises) for part in case.parts)
 
 
@@ -335,7 +338,7 @@ def _is_of_a_dough(case: Case, step: int) -> bool:
 
 def _is_baked_on(case: Case, joined: int) -> bool:
     """Whether something is in dry heat after the step at which a food came to it: so is what lies on a pizza."""
-    return any(happening.does("dry") and happening.number > joined for happening in case.happenings)
+    return any(played_step.does("dry") and played_step.number > joined for played_step in case.played_steps)
 
 
 def _crowns(case: Case, part: Part) -> bool:
@@ -350,8 +353,8 @@ def _mixes(case: Case) -> bool:
     if case.goal is not None and "mixed" in case.goal.states:
         return True
     table, own = case.tables.foods, {id(part) for part in case.parts}
-    for happening in case.happenings:
-        for lump in happening.made:
+    for played_step in case.played_steps:
+        for lump in played_step.made:
             if table.food(lump.label).is_a("dough") and any(id(part) in own for part in lump.parts):
                 return True
     return False

@@ -106,7 +106,7 @@ def purposeful(case: Case) -> Iterator[Finding]:
             yield Finding("C3", f"it is the same as step {seen[identity] + 1}", place)
         seen.setdefault(identity, place)
         last[identity] = place
-        if place not in leads and not case.happenings[place].does(*_CLOSES):
+        if place not in leads and not case.played_steps[place].does(*_CLOSES):
             yield Finding("C3", "nothing that it makes leads to the goal", place)
     if case.tree.level is None:
         yield from _left_on(case)
@@ -121,7 +121,7 @@ def _left_on(case: Case) -> Iterator[Finding]:
 
 def _was_undone(case: Case, before: int, place: int) -> bool:
     """Whether a switch or lid was put back between two equal steps, so that it is turned or put on anew."""
-    if not case.happenings[place].does(*_SWITCHES):
+    if not case.played_steps[place].does(*_SWITCHES):
         return False
     wanted = set(case.tree.units[place].step.inputs)
     between = case.tree.units[before + 1 : place]
@@ -137,17 +137,17 @@ def _leads_to_the_end(case: Case) -> set[int]:
     for place in reversed(range(len(units))):
         takers = {taker for node in units[place].new_outputs for taker in case.tree.takers.get(node, ())}
         taken = any(taker > place for taker in takers & leads)
-        if taken or _serves(case.happenings[place], inside, before_the_end=place < last):
+        if taken or _serves(case.played_steps[place], inside, before_the_end=place < last):
             leads.add(place)
     return leads
 
 
-def _serves(happening: PlayedStep, inside: set[int], *, before_the_end: bool) -> bool:
+def _serves(played_step: PlayedStep, inside: set[int], *, before_the_end: bool) -> bool:
     """Whether a step works on what is in the dish, by the identities of its parts, or makes a later step possible."""
-    lumps = [*happening.outputs.values(), *(lump for lump, _, _ in happening.moved)]
+    lumps = [*played_step.outputs.values(), *(lump for lump, _, _ in played_step.moved)]
     if any(id(part) in inside for lump in lumps for part in lump.parts):
         return True
-    return before_the_end and happening.does(*_ENABLES)
+    return before_the_end and played_step.does(*_ENABLES)
 
 
 def complete(case: Case) -> Iterator[Finding]:
@@ -231,11 +231,11 @@ def kitchen(case: Case) -> Iterator[Finding]:
 
 def _brought_on(case: Case, node: ObjectNode, place: int) -> bool:
     """Whether an earlier step brought the thing so, though it did not say the whole node."""
-    happening = case.happenings[place]
+    played_step = case.played_steps[place]
     said = case.read(node)
     if said.is_food:
-        return not any(part.name == said.label and part.taken == place for part in happening.taken)
-    fetched = {part.name for part in happening.taken if part.unstated}
+        return not any(part.name == said.label and part.taken == place for part in played_step.taken)
+    fetched = {part.name for part in played_step.taken if part.unstated}
     return bool(said.names) and said.names.isdisjoint(fetched)
 
 

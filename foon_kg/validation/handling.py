@@ -20,48 +20,48 @@ _MILLS = ("grind", "blend", "mash", "grate", "squeeze")
 
 def picked_up(case: Case) -> Iterator[Finding]:
     """Yield a finding for each liquid of ``case`` that a step picks up with bare hands out of what it was in."""
-    for happening in case.happenings:
-        if happening.step.motion not in word_list("picks up") or _has_scoop(happening):
+    for played_step in case.played_steps:
+        if played_step.step.motion not in word_list("picks up") or _has_scoop(played_step):
             continue
-        moved = {id(lump) for lump, before, now in happening.moved if now is not None and before is not now}
-        for node, lump in happening.outputs.items():
+        moved = {id(lump) for lump, before, now in played_step.moved if now is not None and before is not now}
+        for node, lump in played_step.outputs.items():
             if id(lump) in moved and is_runny(node.label, node.states, sorted(node.ingredients), case.tables):
-                yield Finding("W4", f"{node.label} runs, and is picked up", happening.number, (node,))
+                yield Finding("W4", f"{node.label} runs, and is picked up", played_step.number, (node,))
 
 
-def _has_scoop(happening: PlayedStep) -> bool:
-    return any(vessel.row.role == "tool" and "scoop" in vessel.row.can for vessel in happening.vessels)
+def _has_scoop(played_step: PlayedStep) -> bool:
+    return any(vessel.row.role == "tool" and "scoop" in vessel.row.can for vessel in played_step.vessels)
 
 
 def too_hard(case: Case) -> Iterator[Finding]:
     """Yield a finding for each hard food of ``case`` that a knife is said to grind, or that is too small to grate."""
-    for happening in case.happenings:
-        if happening.does("grate"):
-            yield from _grated_small(happening)
-        if happening.does("cut") and not happening.does(*_MILLS):
-            yield from _ground_by_a_knife(happening, case)
+    for played_step in case.played_steps:
+        if played_step.does("grate"):
+            yield from _grated_small(played_step)
+        if played_step.does("cut") and not played_step.does(*_MILLS):
+            yield from _ground_by_a_knife(played_step, case)
 
 
-def _ground_by_a_knife(happening: PlayedStep, case: Case) -> Iterator[Finding]:
+def _ground_by_a_knife(played_step: PlayedStep, case: Case) -> Iterator[Finding]:
     """Yield each food that a cut is said to make as fine as powder and that is not soft."""
-    before = {state for mention in happening.step.inputs for state in mention.node.states}
-    for node, lump in happening.outputs.items():
+    before = {state for mention in played_step.step.inputs for state in mention.node.states}
+    for node, lump in played_step.outputs.items():
         soft = all(part.food.is_any(word_list("is soft enough for a knife")) for part in lump.parts)
         if not soft and _finest(set(node.states) - before, case) >= _AS_POWDER:
-            yield Finding("W4", f"{lump.label} is too hard to be ground by a knife", happening.number, (node,))
+            yield Finding("W4", f"{lump.label} is too hard to be ground by a knife", played_step.number, (node,))
 
 
 def coarser(case: Case) -> Iterator[Finding]:
     """Yield a finding for each food of ``case`` that is fine as powder, and of which a cut is said to make pieces."""
-    for happening in case.happenings:
-        if not happening.does("cut"):
+    for played_step in case.played_steps:
+        if not played_step.does("cut"):
             continue
-        before = {mention.node.label: set(mention.node.states) for mention in happening.step.inputs}
-        for node in happening.outputs:
+        before = {mention.node.label: set(mention.node.states) for mention in played_step.step.inputs}
+        for node in played_step.outputs:
             was = before.get(node.label, set())
             fine, now = _finest(was, case), _finest(set(node.states) - was, case)
             if fine >= _AS_POWDER and 0 < now < fine:
-                yield Finding("W4", f"{node.label} is finer than that already", happening.number, (node,))
+                yield Finding("W4", f"{node.label} is finer than that already", played_step.number, (node,))
 
 
 def _finest(states: Iterable[str], case: Case) -> int:
@@ -70,16 +70,16 @@ def _finest(states: Iterable[str], case: Case) -> int:
 
 def broken_raw(case: Case) -> Iterator[Finding]:
     """Yield a finding for each firm raw food of ``case`` that bare hands are said to break into pieces."""
-    for happening in case.happenings:
-        if happening.step.motion not in word_list("is done by bare hands") or _has_tool(happening):
+    for played_step in case.played_steps:
+        if played_step.step.motion not in word_list("is done by bare hands") or _has_tool(played_step):
             continue
-        for node, lump in happening.outputs.items():
+        for node, lump in played_step.outputs.items():
             if any(map(_wants_a_knife, lump.parts)):
-                yield Finding("W4", f"nobody breaks {node.label} by hand", happening.number, (node,))
+                yield Finding("W4", f"nobody breaks {node.label} by hand", played_step.number, (node,))
 
 
-def _has_tool(happening: PlayedStep) -> bool:
-    return not happening.does("cut") or any(vessel.row.role == "tool" for vessel in happening.vessels)
+def _has_tool(played_step: PlayedStep) -> bool:
+    return not played_step.does("cut") or any(vessel.row.role == "tool" for vessel in played_step.vessels)
 
 
 def _wants_a_knife(part: Part) -> bool:
@@ -88,12 +88,12 @@ def _wants_a_knife(part: Part) -> bool:
     return raw and not part.food.is_any(word_list("is broken by hand"))
 
 
-def _grated_small(happening: PlayedStep) -> Iterator[Finding]:
-    for mention in happening.step.inputs:
+def _grated_small(played_step: PlayedStep) -> Iterator[Finding]:
+    for mention in played_step.step.inputs:
         small = word_list("is too small for a grater") & set(mention.node.states)
         if small:
             reason = f"it is {min(small)}, and no grater holds that"
-            yield Finding("W4", reason, happening.number, (mention.node,))
+            yield Finding("W4", reason, played_step.number, (mention.node,))
 
 
 def used_up(case: Case) -> Iterator[Finding]:

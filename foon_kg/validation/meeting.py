@@ -47,33 +47,33 @@ def lumpy(case: Case) -> Iterator[Finding]:
     if any(part.food.is_any(word_list("makes no sauce of what binds")) for part in case.parts):
         return
     hot: defaultdict[int, set[str]] = defaultdict(set)
-    for happening in case.happenings:
-        for lump, _, vessel in happening.moved:
+    for played_step in case.played_steps:
+        for lump, _, vessel in played_step.moved:
             names = hot.get(id(vessel), set()) if vessel is not None else set()
             wet = sorted(name for name in names if case.tables.foods.food(name).is_of(*word_list("is a bath")))
-            if wet and _is_dry_starch(lump, happening):
-                yield Finding("K3", f"{lump.label} comes dry into hot {wet[0]}", happening.number)
-        _keep_hot(happening, hot)
+            if wet and _is_dry_starch(lump, played_step):
+                yield Finding("K3", f"{lump.label} comes dry into hot {wet[0]}", played_step.number)
+        _keep_hot(played_step, hot)
 
 
-def _is_dry_starch(lump: Lump, happening: PlayedStep) -> bool:
+def _is_dry_starch(lump: Lump, played_step: PlayedStep) -> bool:
     """Whether what moved is starch or flour by itself, as it comes out of its packet."""
-    mention = next((node for node, one in happening.outputs.items() if one is lump), None)
+    mention = next((node for node, one in played_step.outputs.items() if one is lump), None)
     if mention is None or mention.ingredients or says(mention.states, "runs"):
         return False
     return any(part.food.kind in word_list("makes lumps") and part.name == lump.label for part in lump.parts)
 
 
-def _keep_hot(happening: PlayedStep, hot: dict[int, set[str]]) -> None:
+def _keep_hot(played_step: PlayedStep, hot: dict[int, set[str]]) -> None:
     """Keep by vessel the foods that were heated in it; what cools or is emptied holds none."""
-    gone = [*happening.emptied, *(happening.vessels if happening.does("wait", "clean") else ())]
+    gone = [*played_step.emptied, *(played_step.vessels if played_step.does("wait", "clean") else ())]
     for vessel in gone:
         hot.pop(id(vessel), None)
-    for vessel in happening.heated if happening.does("heat", "warm") else ():
-        hot[id(vessel)] |= _inside(happening, vessel)
+    for vessel in played_step.heated if played_step.does("heat", "warm") else ():
+        hot[id(vessel)] |= _inside(played_step, vessel)
 
 
-def _inside(happening: PlayedStep, vessel: Vessel) -> set[str]:
+def _inside(played_step: PlayedStep, vessel: Vessel) -> set[str]:
     """Return the foods that a step says to be in a vessel."""
-    nodes = [mention.node for mention in happening.step.inputs if mention.node.label == vessel.label]
+    nodes = [mention.node for mention in played_step.step.inputs if mention.node.label == vessel.label]
     return {food for node in nodes for food in node.ingredients}

@@ -32,12 +32,12 @@ def _is_told(case: Case, said: str) -> bool:
 
 def _is_done_to(case: Case, one: Named, part: Part) -> bool:
     """Whether a part of the dish was treated so, as often as it is asked, before or after it was heated."""
-    done = [happening for happening in case.happenings if _treats(happening, part)]
-    hot = [happening.number for happening in done if happening.does("heat")]
-    found = [happening.number for happening in done if one.is_done_by(happening.step.motion, happening.motion)]
+    done = [played_step for played_step in case.played_steps if _treats(played_step, part)]
+    hot = [played_step.number for played_step in done if played_step.does("heat")]
+    found = [played_step.number for played_step in done if one.is_done_by(played_step.step.motion, played_step.motion)]
     return len(one.in_time(found, hot)) >= one.times
 
 
-def _treats(happening: PlayedStep, part: Part) -> bool:
-    lumps = (*happening.treated, *(lump for vessel in happening.heated for lump in vessel.lumps))
+def _treats(played_step: PlayedStep, part: Part) -> bool:
+    lumps = (*played_step.treated, *(lump for vessel in played_step.heated for lump in vessel.lumps))
     return any(part.origin == other.origin for lump in lumps for other in lump.parts)

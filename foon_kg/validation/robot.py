@@ -24,10 +24,10 @@ _WORKS_IN_PLACE = (
 
 def of_world(rule: str, case: Case) -> Iterator[Finding]:
     """Yield the findings of ``rule`` in ``case`` that tell what the world itself could not do (W1 to W3, K4, K7)."""
-    for happening in case.happenings:
-        for mishap in happening.mishaps:
+    for played_step in case.played_steps:
+        for mishap in played_step.mishaps:
             if mishap.rule == rule:
-                yield Finding(rule, mishap.reason, happening.number, mishap.nodes, mishap.minor)
+                yield Finding(rule, mishap.reason, played_step.number, mishap.nodes, mishap.minor)
 
 
 def idle(case: Case) -> Iterator[Finding]:
@@ -36,38 +36,38 @@ def idle(case: Case) -> Iterator[Finding]:
     So is what is ground without a mill.
     """
     yield from of_world("W4", case)
-    for happening in case.happenings:
-        if happening.does("move", "scatter") and _moves_nothing(happening):
-            yield Finding("W4", f"nothing moves in “{happening.step.motion}”", happening.number)
-        if happening.does("grind") and not _can(happening, _GRINDS):
-            yield Finding("W4", "it is ground without a mill, mortar, blender or processor", happening.number)
+    for played_step in case.played_steps:
+        if played_step.does("move", "scatter") and _moves_nothing(played_step):
+            yield Finding("W4", f"nothing moves in “{played_step.step.motion}”", played_step.number)
+        if played_step.does("grind") and not _can(played_step, _GRINDS):
+            yield Finding("W4", "it is ground without a mill, mortar, blender or processor", played_step.number)
     yield from _cut_for_nothing(case)
     yield from _moved_for_nothing(case)
 
 
-def _moves_nothing(happening: PlayedStep) -> bool:
+def _moves_nothing(played_step: PlayedStep) -> bool:
     """Whether a step brings nothing to another place, and its motion does not do something else as well."""
-    if happening.does(*_WORKS_IN_PLACE) or happening.moved or happening.vessels_moved:
+    if played_step.does(*_WORKS_IN_PLACE) or played_step.moved or played_step.vessels_moved:
         return False
-    return not (happening.made and len(happening.inputs) > 1)  # a sandwich is laid together where its bread lies
+    return not (played_step.made and len(played_step.inputs) > 1)  # a sandwich is laid together where its bread lies
 
 
-def _can(happening: PlayedStep, abilities: frozenset[str]) -> bool:
+def _can(played_step: PlayedStep, abilities: frozenset[str]) -> bool:
     """Whether a vessel or tool of a step can do one of these, or what it stands on, or that in which an input is."""
-    if any(not place.row.can.isdisjoint(abilities) for vessel in happening.vessels for place in vessel.stack()):
+    if any(not place.row.can.isdisjoint(abilities) for vessel in played_step.vessels for place in vessel.stack()):
         return True
-    return any(lump.where is not None and not lump.where.row.can.isdisjoint(abilities) for lump in happening.inputs)
+    return any(lump.where is not None and not lump.where.row.can.isdisjoint(abilities) for lump in played_step.inputs)
 
 
 def _cut_for_nothing(case: Case) -> Iterator[Finding]:
     """Yield each food that is cut and of which nothing is in the dish."""
     if case.dish is None:
         return
-    for happening in case.happenings:
-        for lump in happening.treated if happening.does("cut", "grate") else ():
+    for played_step in case.played_steps:
+        for lump in played_step.treated if played_step.does("cut", "grate") else ():
             lost = _lost_part(case, lump)
             if lost is not None:
-                yield Finding("W4", f"{lost.name} is prepared and is not in the dish", happening.number, minor=True)
+                yield Finding("W4", f"{lost.name} is prepared and is not in the dish", played_step.number, minor=True)
 
 
 def _lost_part(case: Case, lump: Lump) -> Part | None:
@@ -87,13 +87,13 @@ def _is_missed_by_nobody(case: Case, part: Part) -> bool:
 
 def _moved_for_nothing(case: Case) -> Iterator[Finding]:
     """Yield the first food that is moved and at once moved on, with nothing done in between: one a tree is enough."""
-    for earlier, happening in pairwise(case.happenings):
-        if not (_only_moved(earlier) and _only_moved(happening)):
+    for earlier, played_step in pairwise(case.played_steps):
+        if not (_only_moved(earlier) and _only_moved(played_step)):
             continue
-        for lump, place in _moved_on(earlier, happening):
-            if place in happening.emptied and _serves_nothing(place, lump):
+        for lump, place in _moved_on(earlier, played_step):
+            if place in played_step.emptied and _serves_nothing(place, lump):
                 reason = f"{lump.label} was put into the {place.label} only to be taken out again"
-                yield Finding("W4", reason, happening.number, minor=True)
+                yield Finding("W4", reason, played_step.number, minor=True)
                 return
 
 
@@ -107,20 +107,20 @@ def _moved_on(earlier: PlayedStep, later: PlayedStep) -> list[tuple[Lump, Vessel
 def never_lit(case: Case) -> Iterator[Finding]:
     """Yield the findings of K7 in ``case`` for vessels that are put over heat and emptied before that is turned on."""
     lit: set[int] = set()
-    for happening in case.happenings:
-        lit |= {id(vessel) for vessel in (*happening.hot, *happening.heated)}
-        over = {said.label for said in happening.said_in if _is_over_heat(said)}
-        for vessel in happening.emptied:
+    for played_step in case.played_steps:
+        lit |= {id(vessel) for vessel in (*played_step.hot, *played_step.heated)}
+        over = {said.label for said in played_step.input_readings if _is_over_heat(said)}
+        for vessel in played_step.emptied:
             if vessel.label in over and id(vessel) not in lit:
-                yield Finding("K7", f"the {vessel.label} stood over what was never turned on", happening.number)
+                yield Finding("K7", f"the {vessel.label} stood over what was never turned on", played_step.number)
 
 
 def _is_over_heat(said: NodeReading) -> bool:
     return said.place_utensil is not None and said.place_utensil.source == "heat"
 
 
-def _only_moved(happening: PlayedStep) -> bool:
-    return happening.motion.does <= {"move", "fetch", "scatter"}
+def _only_moved(played_step: PlayedStep) -> bool:
+    return played_step.motion.does <= {"move", "fetch", "scatter"}
 
 
 def _serves_nothing(place: Vessel, lump: Lump) -> bool:
@@ -136,13 +136,13 @@ def order(case: Case) -> Iterator[Finding]:
     Water that is fetched while something waits in the heat is another.
     """
     waits = _Waits()
-    for happening in case.happenings:
-        for vessel in waits.too_long(happening):
+    for played_step in case.played_steps:
+        for vessel in waits.too_long(played_step):
             reason = f"what is in the {vessel.label} waits in the heat while other food is prepared"
-            yield Finding("W5", reason, happening.number, minor=True)
-        if happening.hot and _fetches_water(happening):
-            yield Finding("W5", "water is fetched while something waits in the heat", happening.number, minor=True)
-        yield from _fried_dry(happening)
+            yield Finding("W5", reason, played_step.number, minor=True)
+        if played_step.hot and _fetches_water(played_step):
+            yield Finding("W5", "water is fetched while something waits in the heat", played_step.number, minor=True)
+        yield from _fried_dry(played_step)
 
 
 class _Waits:
@@ -152,12 +152,12 @@ class _Waits:
         self.steps: dict[int, int] = {}
         self.told: set[int] = set()
 
-    def too_long(self, happening: PlayedStep) -> Iterator[Vessel]:
+    def too_long(self, played_step: PlayedStep) -> Iterator[Vessel]:
         """Count a step, and yield each vessel that has waited too long with it, each once."""
-        moved_to = [now for _, _, now in happening.moved if now is not None]
-        touched = {id(vessel) for vessel in (*happening.vessels, *happening.heated, *moved_to)}
-        more = int(_prepares(happening))
-        hot = {id(vessel): vessel for vessel in happening.hot}
+        moved_to = [now for _, _, now in played_step.moved if now is not None]
+        touched = {id(vessel) for vessel in (*played_step.vessels, *played_step.heated, *moved_to)}
+        more = int(_prepares(played_step))
+        hot = {id(vessel): vessel for vessel in played_step.hot}
         self.steps = {key: 0 if key in touched else self.steps.get(key, 0) + more for key in hot}
         for key, vessel in hot.items():
             if self.steps[key] > MOST_WAITING and key not in self.told:
@@ -165,22 +165,22 @@ class _Waits:
                 yield vessel
 
 
-def _prepares(happening: PlayedStep) -> bool:
-    return happening.does(
+def _prepares(played_step: PlayedStep) -> bool:
+    return played_step.does(
         "cut", "peel", "grate", "open", "core", "clean", "mash", "grind", "move", "fetch", "shape", "mix"
     )
 
 
-def _fetches_water(happening: PlayedStep) -> bool:
-    return any(vessel.row.source == "water" for vessel in happening.vessels) and any(
-        part.food.is_a("water") for lump in happening.outputs.values() for part in lump.parts
+def _fetches_water(played_step: PlayedStep) -> bool:
+    return any(vessel.row.source == "water" for vessel in played_step.vessels) and any(
+        part.food.is_a("water") for lump in played_step.outputs.values() for part in lump.parts
     )
 
 
-def _fried_dry(happening: PlayedStep) -> Iterator[Finding]:
+def _fried_dry(played_step: PlayedStep) -> Iterator[Finding]:
     """Yield the vessels in which a step fries food, with nothing in them that keeps this from the metal."""
-    for vessel in happening.heated if happening.does("fat") else ():
+    for vessel in played_step.heated if played_step.does("fat") else ():
         parts = [part for lump in vessel.lumps for part in lump.parts]
         wet = any(part.food.is_a("fat", "meat", "fish", "liquid", "creamy") for part in parts)
         if vessel.row.role == "vessel" and parts and not wet:
-            yield Finding("W5", f"it is fried in a dry {vessel.label}", happening.number, minor=True)
+            yield Finding("W5", f"it is fried in a dry {vessel.label}", played_step.number, minor=True)

@@ -27,12 +27,12 @@ def sense(case: Case) -> Iterator[Finding]:
     That is dough of cooked pasta, fat through a strainer, a misread word.
     """
     yield from of_world("K7", case)
-    for happening in case.happenings:
-        yield from _dough(happening)
-        if happening.does("separate") and _strains(happening) and _all_fat(happening):
-            yield Finding("K7", "fat is poured through a strainer", happening.number, minor=True)
-        if happening.does("dry"):
-            yield from _ungreased(case, happening)
+    for played_step in case.played_steps:
+        yield from _dough(played_step)
+        if played_step.does("separate") and _strains(played_step) and _all_fat(played_step):
+            yield Finding("K7", "fat is poured through a strainer", played_step.number, minor=True)
+        if played_step.does("dry"):
+            yield from _ungreased(case, played_step)
     yield from never_lit(case)
     yield from _misread(case)
     yield from _drunk_in_pieces(case)
@@ -104,29 +104,29 @@ def _misread(case: Case) -> Iterator[Finding]:
             )
 
 
-def _dough(happening: PlayedStep) -> Iterator[Finding]:
-    for lump in happening.made:
+def _dough(played_step: PlayedStep) -> Iterator[Finding]:
+    for lump in played_step.made:
         if lump.label.rpartition(" ")[2] in {"dough", "batter"}:
             pasta = [part.name for part in lump.parts if part.food.is_a("dry starch") and "boil" in part.done]
             if pasta:
-                yield Finding("K7", f"{lump.label} is made of cooked {pasta[0]}", happening.number)
+                yield Finding("K7", f"{lump.label} is made of cooked {pasta[0]}", played_step.number)
 
 
-def _strains(happening: PlayedStep) -> bool:
-    return any("strain" in vessel.row.can for vessel in happening.vessels)
+def _strains(played_step: PlayedStep) -> bool:
+    return any("strain" in vessel.row.can for vessel in played_step.vessels)
 
 
-def _all_fat(happening: PlayedStep) -> bool:
-    parts = [part for lump in happening.inputs for part in lump.parts]
+def _all_fat(played_step: PlayedStep) -> bool:
+    parts = [part for lump in played_step.inputs for part in lump.parts]
     return bool(parts) and all(part.food.is_a("fat") for part in parts)
 
 
-def _ungreased(case: Case, happening: PlayedStep) -> Iterator[Finding]:
+def _ungreased(case: Case, played_step: PlayedStep) -> Iterator[Finding]:
     """Yield the moulds and trays in which a step bakes a dough or batter that sticks to them."""
-    for vessel in happening.heated:
+    for vessel in played_step.heated:
         sticks = "bake" in vessel.row.can and any(_sticks(lump) for lump in vessel.lumps)
-        if sticks and not _is_greased(case, vessel, happening):
-            yield Finding("K7", f"the {vessel.label} is not greased", happening.number, minor=True)
+        if sticks and not _is_greased(case, vessel, played_step):
+            yield Finding("K7", f"the {vessel.label} is not greased", played_step.number, minor=True)
 
 
 def _sticks(lump: Lump) -> bool:
@@ -135,10 +135,10 @@ def _sticks(lump: Lump) -> bool:
 
 def _is_greased(case: Case, vessel: Vessel, until: PlayedStep) -> bool:
     """Whether fat came into a vessel up to a step, or a node says that it is greased or lined."""
-    for happening in case.happenings[: until.number + 1]:
-        if any(now is vessel and _greases(lump) for lump, _, now in happening.moved):
+    for played_step in case.played_steps[: until.number + 1]:
+        if any(now is vessel and _greases(lump) for lump, _, now in played_step.moved):
             return True
-        for mention in (*happening.step.inputs, *happening.step.outputs):
+        for mention in (*played_step.step.inputs, *played_step.step.outputs):
             told = " ".join((*mention.node.states, *mention.node.ingredients))
             if any(word in told for word in _LINED) and case.read(mention.node).label == vessel.label:
                 return True

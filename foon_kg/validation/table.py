@@ -157,9 +157,9 @@ def late(case: Case) -> Iterator[Finding]:
     """Yield the findings of K3 in ``case``: what comes too late, too hot or too dry, or is cooked beside raw food."""
     yield from _after_the_heat(case)
     yield from _cooked_too_much(case)
-    for happening in case.happenings:
-        yield from _peeled_hot(happening)
-        yield from _killed(case, happening)
+    for played_step in case.played_steps:
+        yield from _peeled_hot(played_step)
+        yield from _killed(case, played_step)
     yield from hot_on_cold(case)
     yield from lumpy(case)
 
@@ -174,17 +174,17 @@ def _after_the_heat(case: Case) -> Iterator[Finding]:
             yield Finding("K3", f"{part.name} comes after the last cooking", part.joined, minor=True)
 
 
-def _killed(case: Case, happening: PlayedStep) -> Iterator[Finding]:
+def _killed(case: Case, played_step: PlayedStep) -> Iterator[Finding]:
     """Yield what makes dough rise where it is mixed with water that boiled and did not cool."""
-    if not happening.does("mix", "knead"):
+    if not played_step.does("mix", "knead"):
         return
-    nodes = [mention.node for mention in happening.step.inputs if case.is_food(mention.node)]
+    nodes = [mention.node for mention in played_step.step.inputs if case.is_food(mention.node)]
     if not any(_is_boiling(node) for node in nodes):
         return
     for node in nodes:
         food = case.tables.foods.food(node.label, node.states)
         if food.is_any(word_list("makes dough rise")) and not food.is_a("flour"):
-            yield Finding("K3", f"{node.label} is killed by boiling water", happening.number, (node,))
+            yield Finding("K3", f"{node.label} is killed by boiling water", played_step.number, (node,))
 
 
 def _is_boiling(node: ObjectNode) -> bool:
@@ -198,28 +198,28 @@ def _needs_heat(part: Part) -> bool:
 
 def _cooked_too_much(case: Case) -> Iterator[Finding]:
     """Yield leaves that are eaten raw, where they are over heat with what has to be cooked."""
-    for happening in case.happenings:
-        parts = _over_heat(happening) if happening.does("heat") else []
+    for played_step in case.played_steps:
+        parts = _over_heat(played_step) if played_step.does("heat") else []
         owing = [part.name for part in parts if part.food.owes.get("cook") is Level.FATAL]
         leaves = [part.name for part in parts if part.food.is_a("salad leaf")]
         if owing and leaves:
             reason = f"{min(leaves)} is cooked together with {owing[0]}"
-            yield Finding("K3", reason, happening.number, minor=True)
+            yield Finding("K3", reason, played_step.number, minor=True)
 
 
-def _over_heat(happening: PlayedStep) -> list[Part]:
+def _over_heat(played_step: PlayedStep) -> list[Part]:
     """Return the parts of all foods in the vessels that a step heats."""
-    return [part for vessel in happening.heated for lump in vessel.lumps for part in lump.parts]
+    return [part for vessel in played_step.heated for lump in vessel.lumps for part in lump.parts]
 
 
-def _peeled_hot(happening: PlayedStep) -> Iterator[Finding]:
-    if not happening.does("peel", "shell"):
+def _peeled_hot(played_step: PlayedStep) -> Iterator[Finding]:
+    if not played_step.does("peel", "shell"):
         return
-    for part in (part for lump in happening.treated for part in lump.parts):
-        if part.food.is_a("egg") and part.heated is not None and part.heated < happening.number:
+    for part in (part for lump in played_step.treated for part in lump.parts):
+        if part.food.is_a("egg") and part.heated is not None and part.heated < played_step.number:
             cooled = [part.done.get("wash", -1), part.done.get("soak", -1)]
             if max(cooled) < part.heated:
-                yield Finding("K3", "eggs are peeled boiling hot", happening.number, minor=True)
+                yield Finding("K3", "eggs are peeled boiling hot", played_step.number, minor=True)
                 return
 
 
@@ -229,22 +229,22 @@ def tools(case: Case) -> Iterator[Finding]:
     So is a motion that cannot give its state.
     """
     yield from of_world("K4", case)
-    for happening in case.happenings:
-        if happening.does("grate") and not _has(happening, "grate", "peel"):
-            yield Finding("K4", "it is grated without grater, peeler or processor", happening.number)
-        if happening.does("cut", "mix", "grate", "whip"):
-            yield from _with_a_lid(case, happening)
+    for played_step in case.played_steps:
+        if played_step.does("grate") and not _has(played_step, "grate", "peel"):
+            yield Finding("K4", "it is grated without grater, peeler or processor", played_step.number)
+        if played_step.does("cut", "mix", "grate", "whip"):
+            yield from _with_a_lid(case, played_step)
 
 
-def _with_a_lid(case: Case, happening: PlayedStep) -> Iterator[Finding]:
+def _with_a_lid(case: Case, played_step: PlayedStep) -> Iterator[Finding]:
     """Yield a step that has a lid, and no tool or appliance to do its work with."""
-    lids = [node for node in happening.tools if _is_lid(case, node.label)]
-    if lids and not any(vessel.row.role in {"tool", "appliance"} for vessel in happening.vessels):
-        yield Finding("K4", f"“{happening.step.motion}” with a lid", happening.number, (lids[0],))
+    lids = [node for node in played_step.tools if _is_lid(case, node.label)]
+    if lids and not any(vessel.row.role in {"tool", "appliance"} for vessel in played_step.vessels):
+        yield Finding("K4", f"“{played_step.step.motion}” with a lid", played_step.number, (lids[0],))
 
 
-def _has(happening: PlayedStep, *abilities: str) -> bool:
-    return any(not vessel.row.can.isdisjoint(abilities) for vessel in happening.vessels)
+def _has(played_step: PlayedStep, *abilities: str) -> bool:
+    return any(not vessel.row.can.isdisjoint(abilities) for vessel in played_step.vessels)
 
 
 def _is_lid(case: Case, label: str) -> bool:

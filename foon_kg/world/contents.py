@@ -29,9 +29,9 @@ def settle(out: Outcome) -> None:
 
 def _fill_spoon(out: Outcome) -> None:
     """Fill the spoon into which a packet or bottle is poured by a step that tells of neither what came out."""
-    if out.happening.inputs or out.food_labels or not out.happening.does("move", "fetch"):
+    if out.played_step.inputs or out.food_labels or not out.played_step.does("move", "fetch"):
         return
-    poured = _poured_packet(out.happening.vessels)
+    poured = _poured_packet(out.played_step.vessels)
     if poured is not None:
         packet, spoon = poured
         for lump in list(packet.lumps):
@@ -57,7 +57,7 @@ def _run_through(out: Outcome) -> None:
 
     What was kneaded or shaped keeps the liquid that is worked into it, and so does a batter of eggs that has set.
     """
-    for vessel in dict.fromkeys((*out.happening.vessels, *out.vessel_of.values())):
+    for vessel in dict.fromkeys((*out.played_step.vessels, *out.vessel_of.values())):
         for lump in list(vessel.lumps) if _is_strainer(vessel.row) else ():
             if says(lump.states, "keeps its shape") or _has_set(lump):
                 continue
@@ -80,10 +80,10 @@ def _has_set(lump: Lump) -> bool:
 
 def _keep_back(out: Outcome) -> None:
     """Take out of what is poured through a strainer what is told to stay in that."""
-    held = _told_in_strainers(out) if out.happening.does("separate") else frozenset()
+    held = _told_in_strainers(out) if out.played_step.does("separate") else frozenset()
     if not held:
         return
-    for lump in out.happening.outputs.values():
+    for lump in out.played_step.outputs.values():
         if lump.mixed and lump.label not in held:
             lump.parts = [part for part in lump.parts if part.name not in held]
 
@@ -98,7 +98,7 @@ def _gather(out: Outcome, place: int) -> None:
     one, node = out.said[place], out.mentions[place].node
     if one.names <= {one.label}:
         return
-    lump = out.happening.outputs[node]
+    lump = out.played_step.outputs[node]
     for name in sorted(one.names - _there_with(lump) - {one.label}):
         _bring(out, name, node, lump)
 
@@ -112,7 +112,7 @@ def _there_with(lump: Lump) -> set[str]:
 def _bring(out: Outcome, name: str, node: ObjectNode, lump: Lump) -> None:
     """Bring into a food one of the foods that its node says it holds."""
     if all(part.unstated for part in lump.parts):
-        lump.take(out.supply.name_lump(name, out.happening.number, None).parts)  # told now of what it is made
+        lump.take(out.supply.name_lump(name, out.played_step.number, None).parts)  # told now of what it is made
         return
     some = _clings(out, name, lump)
     if some is not None:
@@ -140,8 +140,8 @@ def _clings(out: Outcome, name: str, lump: Lump) -> Lump | None:
 
     The rest of the fat stays in the pan with it, that of a coat in a vessel of its own.
     """
-    heats, coats = out.happening.does("heat"), out.happening.does("coat")
-    outputs = (out.happening.outputs.get(mention.node) for mention in out.mentions)
+    heats, coats = out.played_step.does("heat"), out.played_step.does("coat")
+    outputs = (out.played_step.outputs.get(mention.node) for mention in out.mentions)
     for one in outputs if heats or coats else ():
         if one is None or one is lump or name not in _held(one):
             continue
@@ -177,13 +177,13 @@ def _left_behind(out: Outcome, name: str, lump: Lump) -> Lump | None:
 def _derived(out: Outcome, name: str, node: ObjectNode, where: Vessel | None, into: Lump | None = None) -> None:
     """Put into a vessel what only its name tells of: a part of something that went in, or a thing from nowhere."""
     if where is not None and where.row.role == "storage":
-        out.supply.name_lump(name, out.happening.number, where)  # a can that is opened shows what is in it
+        out.supply.name_lump(name, out.played_step.number, where)  # a can that is opened shows what is in it
         return
     for lump in out.lumps():
         if any(_is_part_of(name, other) for other in (*lump.names, *(part.name for part in lump.parts))):
             _portion_called(out, name, lump, where)
             return
-    if out.happening.does("separate") and out.lumps():
+    if out.played_step.does("separate") and out.lumps():
         _portion_called(out, name, out.lumps()[0], where)
     elif not is_among(name, out.brought):
         _out_of_nowhere(out, name, node, where, into)
@@ -196,16 +196,16 @@ def _portion_called(out: Outcome, name: str, lump: Lump, where: Vessel | None) -
         return
     parts = [part.copy() for part in lump.parts]
     out.supply.parts += parts
-    portion = Lump(name, {name}, (), parts, made=True, last=out.happening.number)
+    portion = Lump(name, {name}, (), parts, made=True, last=out.played_step.number)
     out.supply.keep(portion, where)
     out.mapped.add(id(portion))
-    out.happening.made.append(portion)
+    out.played_step.made.append(portion)
 
 
 def _out_of_nowhere(out: Outcome, name: str, node: ObjectNode, where: Vessel | None, into: Lump | None) -> None:
     """Tell an ingredient that did not go in; it is there all the same from now on, so that it is told once."""
     out.tell_missing(name, node)
-    lump = out.supply.name_lump(name, out.happening.number, where)
+    lump = out.supply.name_lump(name, out.played_step.number, where)
     if into is not None:
         into.take(lump.parts)
         into.names.add(name)
@@ -229,7 +229,7 @@ def _fill(out: Outcome, one: NodeReading, vessel: Vessel) -> None:
 
 def _is_poured_out(out: Outcome, one: NodeReading, vessel: Vessel) -> bool:
     """Whether a vessel that is told without contents was poured out: another one holds them by its node."""
-    if one.names or not vessel.lumps or not out.happening.does("move"):
+    if one.names or not vessel.lumps or not out.played_step.does("move"):
         return False
     claimed = [other.names for place, other in enumerate(out.said) if out.vessel_of.get(place) is not vessel]
     return any(not names.isdisjoint(vessel.names) for names in claimed)
@@ -241,7 +241,7 @@ def _to_be_moved(out: Outcome, name: str, vessel: Vessel | None) -> Lump | None:
     for lump in elsewhere:
         if name in _held(lump):
             return lump
-    return next((lump for lump in elsewhere if lump in out.happening.inputs and is_among(name, lump.names)), None)
+    return next((lump for lump in elsewhere if lump in out.played_step.inputs and is_among(name, lump.names)), None)
 
 
 def _is_free(out: Outcome, lump: Lump) -> bool:
@@ -268,13 +268,13 @@ def _target_of_rest(out: Outcome, vessel: Vessel) -> Vessel | None:
     for place, other in out.vessel_of.items():
         if other is not vessel and out.said[place].names and other.row.role not in {"storage", "appliance"}:
             return other
-    places = (lump.where for lump in out.happening.outputs.values())
+    places = (lump.where for lump in out.played_step.outputs.values())
     return next((place for place in places if place is not None and place is not vessel), None)
 
 
 def _is_waste(out: Outcome, lump: Lump) -> bool:
     """Whether what is left in a vessel goes nowhere: it is what nobody eats, or water that runs off."""
-    drained = out.happening.does(*_LETS_GO) and lump.parts and lump.parts[0].food.is_a("water", "liquid")
+    drained = out.played_step.does(*_LETS_GO) and lump.parts and lump.parts[0].food.is_a("water", "liquid")
     return bool(drained) or all(part.remains for part in lump.parts)
 
 
@@ -283,7 +283,7 @@ def _target(out: Outcome) -> Vessel | None:
     for vessel in out.vessel_of.values():
         if vessel.row.role in {"vessel", "wrap"}:
             return vessel
-    return next((lump.where for lump in out.happening.outputs.values() if lump.where is not None), None)
+    return next((lump.where for lump in out.played_step.outputs.values() if lump.where is not None), None)
 
 
 def _is_carried(out: Outcome, lump: Lump, target: Vessel) -> bool:
@@ -295,12 +295,12 @@ def _is_carried(out: Outcome, lump: Lump, target: Vessel) -> bool:
 
 def _let_go(out: Outcome) -> None:
     """Bring what was put in and is named in no output to where the step brings things: into the one target."""
-    left = [lump for lump in out.happening.inputs if not lump.gone and id(lump) not in out.mapped]
-    target = _target(out) if left and out.happening.does("move", "scatter", *WORKS) else None
+    left = [lump for lump in out.played_step.inputs if not lump.gone and id(lump) not in out.mapped]
+    target = _target(out) if left and out.played_step.does("move", "scatter", *WORKS) else None
     for lump in left:
         if target is not None and _is_carried(out, lump, target):
             out.supply.put(lump, target)
-        elif out.happening.does("discard"):
+        elif out.played_step.does("discard"):
             out.supply.put(lump, None)
             lump.gone = True
 

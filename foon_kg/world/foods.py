@@ -21,14 +21,14 @@ def settle(out: Outcome) -> None:
     for place in foods:
         if place not in known:
             _make(out, place)
-    if out.happening.does("open"):
+    if out.played_step.does("open"):
         _use_up(out)
 
 
 def _use_up(out: Outcome) -> None:
     """Let what was opened be gone where it comes apart into several foods: no second egg is in a shell."""
-    origins = Counter(part.origin for lump in out.happening.made for part in lump.parts)
-    for lump in out.happening.inputs:
+    origins = Counter(part.origin for lump in out.played_step.made for part in lump.parts)
+    for lump in out.played_step.inputs:
         apart = all(origins[part.origin] > 1 for part in lump.parts)
         if apart and not lump.gone and id(lump) not in out.mapped:
             lump.gone = True
@@ -64,7 +64,7 @@ def _same(out: Outcome, mention: Mention, one: NodeReading) -> Lump | None:
 
 def _likest(out: Outcome, one: NodeReading, named: Sequence[Lump]) -> Lump:
     """Return of ``named`` foods the one an output is: an input, that is no other output, in most of its states."""
-    inputs = [lump for lump in named if lump in out.happening.inputs] or named
+    inputs = [lump for lump in named if lump in out.played_step.inputs] or named
     fresh = [lump for lump in inputs if id(lump) not in out.mapped]
     return max(fresh or inputs, key=lambda lump: len(set(lump.states) & set(one.node.states)))
 
@@ -86,14 +86,14 @@ def _is_left_over(out: Outcome, one: NodeReading) -> bool:
     if one.remains:
         return True
     juices = [other for other in out.said if other.utensil is None and out.is_liquid(other)]
-    return out.happening.does("separate") and bool(juices) and not out.is_liquid(one) and _named_twice(out, one)
+    return out.played_step.does("separate") and bool(juices) and not out.is_liquid(one) and _named_twice(out, one)
 
 
 def _portion(out: Outcome, lump: Lump, one: NodeReading, mention: Mention, *, remains: bool) -> Lump:
     parts = [part.copy(remains=remains) for part in lump.parts]
     out.supply.parts += parts
     portion = Lump(one.label, {one.label}, lump.states, parts, number=mention.thing, made=lump.made)
-    portion.last = out.happening.number
+    portion.last = out.played_step.number
     out.supply.keep(portion, lump.where)
     return portion
 
@@ -101,16 +101,16 @@ def _portion(out: Outcome, lump: Lump, one: NodeReading, mention: Mention, *, re
 def _settle(out: Outcome, lump: Lump, place: int) -> None:
     """Give a lump the states and the place that its output node says."""
     one, node = out.said[place], out.mentions[place].node
-    lump.label, lump.last = one.label, out.happening.number
+    lump.label, lump.last = one.label, out.played_step.number
     lump.names.add(one.label)
-    out.happening.outputs[node] = lump
+    out.played_step.outputs[node] = lump
     lump.states = node.states
     where = _place(out, one, node, lump)
     if where is not lump.where:
         out.leave_rest(lump)
         out.supply.put(lump, where)
     out.supply.keep(lump, lump.where)
-    if out.happening.does(*JOINS) and _gathers(out, one, lump):
+    if out.played_step.does(*JOINS) and _gathers(out, one, lump):
         _join_all(out, lump)
 
 
@@ -130,7 +130,7 @@ def _place(out: Outcome, one: NodeReading, node: ObjectNode, lump: Lump) -> Vess
     if any(_is_called(other, one.place) for other in out.lumps() if other is not lump):
         return _on_food(out, one, node, lump)  # a sheet of dough is called a sheet, as one of foil is
     if one.place_utensil.role != "place" and one.node.relation != "from":
-        out.happening.fault("W2", f"there is no {one.place} in which it could be now", node)
+        out.played_step.fault("W2", f"there is no {one.place} in which it could be now", node)
     return out.supply.fresh(one.place)
 
 
@@ -138,16 +138,16 @@ def _is_taken_out(out: Outcome, lump: Lump) -> bool:
     """Whether a step takes a food out of where it was bought or cooled, and so into the hand."""
     if lump.where is None or lump.where.row.role not in {"storage", "appliance"}:
         return False
-    return out.happening.does("fetch", "separate", "move", "open") and out.happening.motion.known
+    return out.played_step.does("fetch", "separate", "move", "open") and out.played_step.motion.known
 
 
 def _vessel_called(out: Outcome, one: NodeReading) -> Vessel | None:
     """Return the vessel that an output food's node names as its place: by its name, its last word, or what it holds."""
-    for vessel in chain(out.vessel_of.values(), out.happening.vessels, out.holders(), out.standing()):
+    for vessel in chain(out.vessel_of.values(), out.played_step.vessels, out.holders(), out.standing()):
         if vessel.label == one.place:
             return vessel
     short = (one.place or "").rpartition(" ")[2]
-    for vessel in (*out.happening.vessels, *out.holders()):
+    for vessel in (*out.played_step.vessels, *out.holders()):
         if one.place == vessel.label.rpartition(" ")[2] or vessel.label == short:
             return vessel
     called = [vessel for place, vessel in out.vessel_of.items() if one.label in out.said[place].names]
@@ -160,13 +160,13 @@ def _on_food(out: Outcome, one: NodeReading, node: ObjectNode, lump: Lump) -> Ve
     if under is not None:
         if under is not lump and lump not in under.riders:
             under.riders.append(lump)
-            out.happening.vessels_moved = True
+            out.played_step.vessels_moved = True
         return under.where
     if out.tables.foods.is_listed(str(one.place)):
         if one.place not in out.labels:
-            out.happening.fault("W2", f"there is no {one.place} on which it could be", node)
+            out.played_step.fault("W2", f"there is no {one.place} on which it could be", node)
         return lump.where
-    laid = [*out.vessel_of.values(), *out.happening.vessels]  # a sheet of foil is called a sheet
+    laid = [*out.vessel_of.values(), *out.played_step.vessels]  # a sheet of foil is called a sheet
     return next((vessel for vessel in laid if vessel.row.role == "wrap"), lump.where)
 
 
@@ -184,27 +184,27 @@ def _make(out: Outcome, place: int) -> None:
     mention, one = out.mentions[place], out.said[place]
     where = _place(out, one, mention.node, Lump(one.label, {one.label}, (), []))
     sources = _sources(out, one, where)
-    if not sources and out.happening.made:
-        _alias(out, out.happening.made[-1], one, mention.node)
+    if not sources and out.played_step.made:
+        _alias(out, out.played_step.made[-1], one, mention.node)
         return
     if not _may_become(out, one, sources):
         names = ", ".join(sorted({part.name for lump in sources for part in lump.parts})) or "nothing"
-        out.happening.fault("W2", f"{one.label} does not come of {names}", mention.node)
+        out.played_step.fault("W2", f"{one.label} does not come of {names}", mention.node)
     keeps = _leaves_its_sources(out, one)
     product = Lump(one.label, {one.label}, mention.node.states, [], number=mention.thing, made=True)
     product.take(_parts_of(out, one, sources, copied=keeps) or _new_parts(out, one))
-    product.last = out.happening.number
+    product.last = out.played_step.number
     for lump in () if keeps else sources:
         out.consume(lump, product)
     out.supply.keep(product, where)
     out.mapped.add(id(product))
-    out.happening.outputs[mention.node] = product
-    out.happening.made.append(product)
+    out.played_step.outputs[mention.node] = product
+    out.played_step.made.append(product)
 
 
 def _leaves_its_sources(out: Outcome, one: NodeReading) -> bool:
     """Whether a product comes off something that is still there: a peel, the juice of a lemon, a slice of ham."""
-    splits = out.happening.does("separate", "open", "shell", "fetch", "cut", "peel", "core", "stone", "husk")
+    splits = out.played_step.does("separate", "open", "shell", "fetch", "cut", "peel", "core", "stone", "husk")
     return one.remains or (splits and not one.names)
 
 
@@ -220,21 +220,21 @@ def _parts_of(out: Outcome, one: NodeReading, sources: Sequence[Lump], *, copied
 
 def _new_parts(out: Outcome, one: NodeReading) -> list[Part]:
     """Return the part of a product that is made of nothing: it is taken from the kitchen as it is."""
-    parts = [out.supply.new_part(one.label, one.node.states, out.happening.number)]
-    out.happening.taken += parts
+    parts = [out.supply.new_part(one.label, one.node.states, out.played_step.number)]
+    out.played_step.taken += parts
     return parts
 
 
 def _alias(out: Outcome, lump: Lump, one: NodeReading, node: ObjectNode) -> None:
     """Give what was just made a second name: a salad that is also told as the greek salad."""
     lump.names.add(one.label)
-    out.happening.outputs[node] = lump
+    out.played_step.outputs[node] = lump
     out.supply.keep(lump, lump.where)
 
 
 def _may_become(out: Outcome, one: NodeReading, sources: Sequence[Lump]) -> bool:
     """Whether what went in can make a food; a tap, a can and an appliance give what they hold."""
-    if not sources and any(vessel.row.role in {"storage", "appliance"} for vessel in out.happening.vessels):
+    if not sources and any(vessel.row.role in {"storage", "appliance"} for vessel in out.played_step.vessels):
         return True
     return can_become(out.tables, one, sources)
 
@@ -242,9 +242,9 @@ def _may_become(out: Outcome, one: NodeReading, sources: Sequence[Lump]) -> bool
 def _sources(out: Outcome, one: NodeReading, where: Vessel | None) -> list[Lump]:
     """Return the foods of which an output may be made: those that went in, and what is in the vessels that did."""
     explicit = _spent_inputs(out, one)
-    works = out.happening.does(*WORKS) or is_product(out.tables, one)
+    works = out.played_step.does(*WORKS) or is_product(out.tables, one)
     held: list[Lump] = []
-    for vessel in out.happening.vessels:
+    for vessel in out.played_step.vessels:
         takes_all = works and (vessel is where or not explicit)
         held += vessel.lumps if takes_all else _named_in(vessel, one)
     around = where.lumps if where is not None and works else []
@@ -264,7 +264,7 @@ def _named_in(vessel: Vessel, one: NodeReading) -> list[Lump]:
 
 def _spent_inputs(out: Outcome, one: NodeReading) -> list[Lump]:
     """Return the inputs that no output is called like; where each is, those that are called otherwise than ``one``."""
-    going_in = [lump for lump in out.happening.inputs if not lump.gone]
+    going_in = [lump for lump in out.played_step.inputs if not lump.gone]
     return _without_output(out, going_in) or [lump for lump in going_in if lump.label != one.label]
 
 
@@ -291,7 +291,7 @@ def _join_all(out: Outcome, lump: Lump) -> None:
 
 def _unclaimed(out: Outcome, lump: Lump) -> list[Lump]:
     """Return the inputs that no output is yet, and what is so beside a lump."""
-    going_in = [other for other in out.happening.inputs if not other.gone]
+    going_in = [other for other in out.played_step.inputs if not other.gone]
     beside = lump.where.lumps if lump.where is not None else []
     return [one for one in dict.fromkeys([*going_in, *beside]) if one is not lump and id(one) not in out.mapped]
 

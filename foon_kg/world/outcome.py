@@ -25,13 +25,13 @@ class Outcome:
     outputs; ``mapped`` the lumps (by identity) that some output is, and so are not moved again.
     """
 
-    def __init__(self, supply: Supply, happening: PlayedStep, before: dict[int, Vessel | None]) -> None:
+    def __init__(self, supply: Supply, played_step: PlayedStep, before: dict[int, Vessel | None]) -> None:
         self.supply = supply
         self.tables = supply.reader.tables
-        self.happening = happening
+        self.played_step = played_step
         self.before = before
-        self.mentions = happening.step.outputs
-        self.said = happening.said_out
+        self.mentions = played_step.step.outputs
+        self.said = played_step.output_readings
         self.vessel_of: dict[int, Vessel] = {}
         self.mapped: set[int] = set()
         self.brought = self.names_brought()
@@ -56,18 +56,18 @@ class Outcome:
 
     def lumps(self) -> list[Lump]:
         """Return the foods that went in, those first that are inputs, then what their vessels hold."""
-        found = list(self.happening.inputs)
+        found = list(self.played_step.inputs)
         found += [rider for lump in found for rider in lump.riders if not rider.gone and rider not in found]
-        found += [lump for vessel in self.happening.vessels for lump in vessel.lumps if lump not in found]
+        found += [lump for vessel in self.played_step.vessels for lump in vessel.lumps if lump not in found]
         return found
 
     def holders(self) -> Iterable[Vessel]:
         """Yield what the inputs stand in, on or are attached to."""
-        for lump in self.happening.inputs:
+        for lump in self.played_step.inputs:
             place = self.before.get(id(lump), lump.where)
             if place is not None:
                 yield from place.stack()
-        for vessel in self.happening.vessels:
+        for vessel in self.played_step.vessels:
             if vessel.where is not None:
                 yield from vessel.where.stack()
 
@@ -75,7 +75,7 @@ class Outcome:
         """Yield what stands on or in an input: taking a tray out of the oven names the oven only."""
         for vessels in self.supply.vessels.values():
             for vessel in vessels:
-                if vessel.where is not None and vessel.where in self.happening.vessels:
+                if vessel.where is not None and vessel.where in self.played_step.vessels:
                     yield vessel
 
     def leave_rest(self, lump: Lump) -> None:
@@ -90,7 +90,7 @@ class Outcome:
         if emptied or vessel.row.role in {"place", "appliance"}:
             return
         parts = [part.copy() for part in lump.parts]
-        rest = Lump(lump.label, set(lump.names), lump.states, parts, last=self.happening.number, made=lump.made)
+        rest = Lump(lump.label, set(lump.names), lump.states, parts, last=self.played_step.number, made=lump.made)
         self.supply.keep(rest, vessel)
         self.before[id(rest)] = vessel
 
@@ -100,14 +100,14 @@ class Outcome:
     def _is_portioned(self, lump: Lump) -> bool:
         """Whether a step takes some of a food in pieces: it scoops it, strews it, or lays it on another food."""
         on_food = any(one.label in lump.names and one.place and one.place_utensil is None for one in self.said)
-        return (lump.mixed or lump.fine > 0) and (on_food or self.happening.does("scatter"))
+        return (lump.mixed or lump.fine > 0) and (on_food or self.played_step.does("scatter"))
 
     def tell_missing(self, name: str, node: ObjectNode) -> None:
         """Tell that ``node`` holds an ingredient ``name`` that is in no input (W2)."""
         facts = self.tables.foods.food(name)
         minor = facts.is_a("water", "spice", "herb", "fat", "sweet", "leaven", "salt")
         minor = minor or any(part.food.kind == facts.kind for lump in self.lumps() for part in lump.parts)
-        self.happening.fault("W2", f"it holds {name}, which did not go in", node, minor=minor)
+        self.played_step.fault("W2", f"it holds {name}, which did not go in", node, minor=minor)
 
     def consume(self, lump: Lump, product: Lump) -> None:
         """Let ``lump`` go up in ``product``, which is called as it was too where somebody made it."""
@@ -118,13 +118,13 @@ class Outcome:
 
     def remember(self) -> None:
         """Keep which thing each output node is, and what moved."""
-        for node, lump in self.happening.outputs.items():
+        for node, lump in self.played_step.outputs.items():
             self.supply.known_lumps[node] = lump
         for place, vessel in self.vessel_of.items():
             self.supply.known_vessels[self.mentions[place].node] = vessel
-            if vessel not in self.happening.vessels:
-                self.happening.vessels.append(vessel)
-            vessel.last = self.happening.number
+            if vessel not in self.played_step.vessels:
+                self.played_step.vessels.append(vessel)
+            vessel.last = self.played_step.number
         self._note_moves()
         self._note_emptied()
 
@@ -135,19 +135,19 @@ class Outcome:
         for lump in lumps:
             old = self.before.get(id(lump), lump.where)
             moved = lump.where is not old or lump in spent
-            if moved and not self.happening.is_made_of(lump, old):
-                self.happening.moved.append((lump, old, lump.where))
+            if moved and not self.played_step.is_made_of(lump, old):
+                self.played_step.moved.append((lump, old, lump.where))
         self._note_products({self.before[id(lump)] for lump in spent})
 
     def _note_products(self, origins: set[Vessel | None]) -> None:
         """Keep as moved what was made of foods from ``origins``, unless it is where all of them were."""
-        for product in self.happening.made:
+        for product in self.played_step.made:
             if origins != {product.where}:
-                self.happening.moved.append((product, None, product.where))
+                self.played_step.moved.append((product, None, product.where))
 
     def _note_emptied(self) -> None:
-        places = dict.fromkeys(old for _, old, _ in self.happening.moved if old is not None)
-        self.happening.emptied = [vessel for vessel in places if not vessel.lumps]
+        places = dict.fromkeys(old for _, old, _ in self.played_step.moved if old is not None)
+        self.played_step.emptied = [vessel for vessel in places if not vessel.lumps]
 
     def is_liquid(self, one: NodeReading) -> bool:
         """Return whether ``one``, a food output, is a liquid in the state that it says."""

@@ -29,7 +29,7 @@ class PlayedStep:
     worked on, ``heated`` the vessels that stood over heat while it cooked, ``taken`` the parts that were fetched
     from the kitchen, ``made`` the products. ``vessels`` are those that took part, ``hot`` those that hold food over
     heat afterwards, ``in_oven`` whether what was heated stood in an oven, ``emptied`` those that hold nothing any more.
-    ``said_in`` and ``said_out`` are what the nodes of the step say, in their order.
+    ``input_readings`` and ``output_readings`` are what the nodes of the step say, in their order.
     """
 
     number: int
@@ -47,8 +47,8 @@ class PlayedStep:
     tools: list[ObjectNode] = field(default_factory=list)
     vessels_moved: bool = False
     emptied: list[Vessel] = field(default_factory=list)
-    said_in: list[NodeReading] = field(default_factory=list)
-    said_out: list[NodeReading] = field(default_factory=list)
+    input_readings: list[NodeReading] = field(default_factory=list)
+    output_readings: list[NodeReading] = field(default_factory=list)
     hot: list[Vessel] = field(default_factory=list)
     in_oven: bool = False
 

@@ -42,23 +42,23 @@ class Supply:
 
     # --- vessels ---
 
-    def vessel(self, mention: Mention, said: NodeReading, happening: PlayedStep) -> Vessel:
-        """Return the vessel, tool or appliance that an input of the step ``happening`` is.
+    def vessel(self, mention: Mention, said: NodeReading, played_step: PlayedStep) -> Vessel:
+        """Return the vessel, tool or appliance that an input of the step ``played_step`` is.
 
         The ``mention`` may number the thing; ``said`` is what its node says. A fresh one is fetched where none there
         can be it.
         """
         if mention.thing is not None:
-            return self._numbered_vessel(mention.thing, said, happening)
+            return self._numbered_vessel(mention.thing, said, played_step)
         if said.is_appliance:
             return self.appliance(said.label)
         known = self.known_vessels.get(said.node)
-        if known is not None and known not in happening.vessels and self._still_says(known, said):
+        if known is not None and known not in played_step.vessels and self._still_says(known, said):
             return known
-        there = [v for v in self.vessels.get(said.label, ()) if v not in happening.vessels and v.number is None]
+        there = [v for v in self.vessels.get(said.label, ()) if v not in played_step.vessels and v.number is None]
         if said.names:
-            return self._filled(there, said, happening)
-        return self._empty(there, said, happening)
+            return self._filled(there, said, played_step)
+        return self._empty(there, said, played_step)
 
     def appliance(self, label: str) -> Vessel:
         """Return the appliance called ``label``: a kitchen has one of each kind."""
@@ -79,20 +79,20 @@ class Supply:
             self.numbered_vessels[number] = vessel
         return vessel
 
-    def _numbered_vessel(self, number: int, said: NodeReading, happening: PlayedStep) -> Vessel:
+    def _numbered_vessel(self, number: int, said: NodeReading, played_step: PlayedStep) -> Vessel:
         vessel = self.numbered_vessels.get(number)
         if vessel is None:
             vessel = self.fresh(said.label, number)
             if said.names:
-                self._stock(vessel, said, happening)
+                self._stock(vessel, said, played_step)
         elif vessel.label != said.label:
-            happening.fault("W2", f"the {vessel.label} has become a {said.label}", said.node)
+            played_step.fault("W2", f"the {vessel.label} has become a {said.label}", said.node)
         elif said.names and not vessel.lumps:
-            happening.fault("W1", f"the {said.label} is empty: its {_names(said.names)} went elsewhere", said.node)
+            played_step.fault("W1", f"the {said.label} is empty: its {_names(said.names)} went elsewhere", said.node)
         elif said.names and (missing := _missing(said.names, vessel.names)):
-            happening.fault("W1", f"the {said.label} does not hold {', '.join(missing)}", said.node)
+            played_step.fault("W1", f"the {said.label} does not hold {', '.join(missing)}", said.node)
         elif said.empty and vessel.lumps:
-            happening.fault("W1", f"the {said.label} is not empty: it holds {_names(vessel.names)}", said.node)
+            played_step.fault("W1", f"the {said.label} is not empty: it holds {_names(vessel.names)}", said.node)
         return vessel
 
     def _still_says(self, vessel: Vessel, said: NodeReading) -> bool:
@@ -100,27 +100,27 @@ class Supply:
             return not vessel.names.isdisjoint(said.names)
         return not (said.empty and vessel.lumps)
 
-    def _filled(self, there: list[Vessel], said: NodeReading, happening: PlayedStep) -> Vessel:
+    def _filled(self, there: list[Vessel], said: NodeReading, played_step: PlayedStep) -> Vessel:
         best = max(there, key=lambda v: (len(said.names & v.names), -len(v.names - said.names), v.last), default=None)
         if best is not None and not said.names.isdisjoint(best.names):
             return best
         emptied = next((v for v in there if not v.lumps and _has_held(v, said.names)), None)
         if emptied is not None and not self._is_storage(said):
-            happening.fault(
+            played_step.fault(
                 "W1", f"its {_names(said.names & (emptied.had | emptied.held))} was taken out before", said.node
             )
         vessel = self.fresh(said.label)
-        self._stock(vessel, said, happening)
+        self._stock(vessel, said, played_step)
         return vessel
 
-    def _empty(self, there: list[Vessel], said: NodeReading, happening: PlayedStep) -> Vessel:
+    def _empty(self, there: list[Vessel], said: NodeReading, played_step: PlayedStep) -> Vessel:
         """Return a vessel of which no contents are told: the last used of those where it is told, else a fresh one."""
         placed = [vessel for vessel in there if _stands_as_told(vessel, said)]
         usable = [vessel for vessel in placed if not vessel.lumps] if _has_to_be_clean(said) else placed
         if usable:
             return max(usable, key=lambda vessel: vessel.last)
         if said.empty and said.place:
-            _tell_full(placed, said, happening)
+            _tell_full(placed, said, played_step)
         return self._stand(self.fresh(said.label), said)
 
     def _stand(self, vessel: Vessel, said: NodeReading) -> Vessel:
@@ -143,10 +143,10 @@ class Supply:
         known = self.vessels.get(label)
         return max(known, key=lambda v: v.last) if known else self.fresh(label)
 
-    def _stock(self, vessel: Vessel, said: NodeReading, happening: PlayedStep) -> None:
+    def _stock(self, vessel: Vessel, said: NodeReading, played_step: PlayedStep) -> None:
         """Fill a vessel as the kitchen has it: a jar of salt; for any other vessel C6 says that nobody filled it."""
         for name in sorted(said.names):
-            happening.taken += self.name_lump(name, happening.number, vessel).parts
+            played_step.taken += self.name_lump(name, played_step.number, vessel).parts
         self._stand(vessel, said)
 
     def _is_storage(self, said: NodeReading) -> bool:
@@ -154,48 +154,48 @@ class Supply:
 
     # --- foods ---
 
-    def food(self, mention: Mention, said: NodeReading, happening: PlayedStep) -> Lump:
-        """Return the lump that an input of ``happening`` is; a new one from the kitchen where none there can be it.
+    def food(self, mention: Mention, said: NodeReading, played_step: PlayedStep) -> Lump:
+        """Return the lump that an input of ``played_step`` is; a new one from the kitchen where none there can be it.
 
         The ``mention`` may number the thing; ``said`` is what its node says.
         """
         if mention.thing is not None:
             lump = self.numbered_lumps.get(mention.thing)
             if lump is None:
-                return self._from_kitchen(said, happening, mention.thing)
-            return self._numbered_lump(lump, said, happening)
+                return self._from_kitchen(said, played_step, mention.thing)
+            return self._numbered_lump(lump, said, played_step)
         known = self.known_lumps.get(said.node)
-        if known is not None and known not in happening.inputs and is_still(known, said):
-            beside = any(vessel.label == said.place and known not in vessel.lumps for vessel in happening.vessels)
+        if known is not None and known not in played_step.inputs and is_still(known, said):
+            beside = any(vessel.label == said.place and known not in vessel.lumps for vessel in played_step.vessels)
             if not beside:
                 return known
-        best = max(self._candidates(said, happening), key=lambda row: row[0], default=None)
+        best = max(self._candidates(said, played_step), key=lambda row: row[0], default=None)
         if best is not None:
             return best[1]
-        return self._from_kitchen(said, happening)
+        return self._from_kitchen(said, played_step)
 
-    def _numbered_lump(self, lump: Lump, said: NodeReading, happening: PlayedStep) -> Lump:
+    def _numbered_lump(self, lump: Lump, said: NodeReading, played_step: PlayedStep) -> Lump:
         """Return a lump by its number, and tell what of its node is not so."""
         reason = _why_not(lump, said)
         if reason is not None:
-            happening.fault("W1", reason, said.node)
+            played_step.fault("W1", reason, said.node)
         for state in said.node.states:
             if state not in lump.states and not self.reader.tables.state(state).sold:
-                happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
+                played_step.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
         return lump
 
-    def _candidates(self, said: NodeReading, happening: PlayedStep) -> Iterator[tuple[tuple[int, ...], Lump]]:
+    def _candidates(self, said: NodeReading, played_step: PlayedStep) -> Iterator[tuple[tuple[int, ...], Lump]]:
         """Yield the lumps that a node can be, each with how well it is that one: by place, state and step."""
-        there = [vessel.label for vessel in happening.vessels]
+        there = [vessel.label for vessel in played_step.vessels]
         for lump in self.lumps.get(said.label, ()):
-            if lump.gone or lump.number is not None or lump in happening.inputs or not divides_like(lump, said):
+            if lump.gone or lump.number is not None or lump in played_step.inputs or not divides_like(lump, said):
                 continue
             place = place_score(said, lump, there, lies_on=self._lies_as_told(said, lump))
             if place == 0:
                 continue
             mine, claimed = set(lump.states), set(said.node.states)
             alike = len(claimed & mine) - len(claimed ^ mine)
-            inside = any(lump in vessel.lumps for vessel in happening.vessels)
+            inside = any(lump in vessel.lumps for vessel in played_step.vessels)
             yield (place, int(inside), int(lump.label == said.label), alike, lump.last), lump
 
     def _lies_as_told(self, said: NodeReading, lump: Lump) -> bool | None:
@@ -204,29 +204,29 @@ class Supply:
             return None
         return any(lump in under.riders for under in self.lumps.get(said.place, ()) if not under.gone)
 
-    def _from_kitchen(self, said: NodeReading, happening: PlayedStep, number: int | None = None) -> Lump:
+    def _from_kitchen(self, said: NodeReading, played_step: PlayedStep, number: int | None = None) -> Lump:
         """Fetch a food. What is undivided is there as often as it was asked; what is divided may be a rest of it."""
-        holder = self._holder_of(said, happening)
+        holder = self._holder_of(said, played_step)
         if said.label in self.lumps:
-            self._again(said, happening)
-        lump = self.new_lump(said.label, said.node.states, happening.number, holder, number=number, names=said.names)
-        happening.taken += lump.parts
+            self._again(said, played_step)
+        lump = self.new_lump(said.label, said.node.states, played_step.number, holder, number=number, names=said.names)
+        played_step.taken += lump.parts
         if said.undivided and not in_storage(said) and not lump.parts[0].food.is_a("stock"):
             self.taken_whole[said.label] = self.taken_whole.get(said.label, 0) + 1
         return lump
 
-    def _again(self, said: NodeReading, happening: PlayedStep) -> None:
+    def _again(self, said: NodeReading, played_step: PlayedStep) -> None:
         """Tell that a food is fetched of which there is no more: it is in finer pieces now, or all of it was taken."""
         facts = self.reader.tables.foods.food(said.label, said.node.states)
         if facts.is_a("stock", "water") or in_storage(said):
             return
         if self._is_all_finer(said):
-            happening.fault("W1", f"none is so any more: {self._fate(said.label)}", said.node)
+            played_step.fault("W1", f"none is so any more: {self._fate(said.label)}", said.node)
         elif said.undivided:
             if self._are_all_taken(said.label):
-                happening.fault("W1", f"there is no second {said.label}: {self._fate(said.label)}", said.node)
+                played_step.fault("W1", f"there is no second {said.label}: {self._fate(said.label)}", said.node)
         elif said.place is not None or said.earns:
-            happening.fault("W1", f"more of it is used than is left: {self._fate(said.label)}", said.node, minor=True)
+            played_step.fault("W1", f"more of it is used than is left: {self._fate(said.label)}", said.node, minor=True)
 
     def _is_all_finer(self, said: NodeReading) -> bool:
         """Whether all that is there of a food is in finer pieces than a node says, where it says any."""
@@ -245,13 +245,13 @@ class Supply:
         state = ", ".join(lump.states) or "used"
         return f"it is {state}{where} since step {lump.last + 1}"
 
-    def _holder_of(self, said: NodeReading, happening: PlayedStep) -> Vessel | None:
+    def _holder_of(self, said: NodeReading, played_step: PlayedStep) -> Vessel | None:
         if said.place is None:
             return None
-        inside = next((vessel for vessel in happening.vessels if vessel.label == said.place), None)
-        beside = any(said.label in vessel.names for vessel in happening.vessels)  # it is scooped in this very step
+        inside = next((vessel for vessel in played_step.vessels if vessel.label == said.place), None)
+        beside = any(said.label in vessel.names for vessel in played_step.vessels)  # it is scooped in this very step
         if carries(said.place_utensil) and (inside is None or not inside.lumps) and not beside:
-            happening.fault("W2", f"nobody put {said.label} into the {said.place}", said.node)
+            played_step.fault("W2", f"nobody put {said.label} into the {said.place}", said.node)
         return inside or self.fresh(said.place)
 
     # --- new things ---
@@ -343,11 +343,11 @@ def _has_to_be_clean(said: NodeReading) -> bool:
     return said.empty or (said.utensil is not None and said.utensil.role == "tool")
 
 
-def _tell_full(placed: list[Vessel], said: NodeReading, happening: PlayedStep) -> None:
+def _tell_full(placed: list[Vessel], said: NodeReading, played_step: PlayedStep) -> None:
     """Tell the first of the full vessels on an appliance (W1), which a node says is empty there."""
     full = next((vessel for vessel in placed if vessel.where and vessel.where.is_appliance), None)
     if full is not None:
-        happening.fault("W1", f"it holds {_names(full.names)} there, and is said to be empty", said.node)
+        played_step.fault("W1", f"it holds {_names(full.names)} there, and is said to be empty", said.node)
 
 
 def _why_not(lump: Lump, said: NodeReading) -> str | None:

@@ -35,23 +35,23 @@ _BY_HAND = ("cut", "grate", "grind", "mash", "peel", "core", "stone", "shell", "
 _GATHERS = ("mix", "blend", "mash", "knead", "whip", "heat")
 
 
-def apply(supply: Supply, happening: PlayedStep) -> None:
-    """Write down what the step of ``happening`` did to its foods, and tell (K4, K7) what it cannot have done.
+def apply(supply: Supply, played_step: PlayedStep) -> None:
+    """Write down what the step of ``played_step`` did to its foods, and tell (K4, K7) what it cannot have done.
 
     ``supply`` has the tables that say what each state claims.
     """
-    happening.treated = _treated(happening)
-    earned = _earned(happening.motion.does)
-    if earned or happening.does("separate"):
-        for lump in happening.treated:
+    played_step.treated = _treated(played_step)
+    earned = _earned(played_step.motion.does)
+    if earned or played_step.does("separate"):
+        for lump in played_step.treated:
             for part in lump.parts:
-                _treat(part, lump, earned, supply, happening)
-    if happening.does("heat", "warm"):
-        _heat(supply, happening)
-    elif happening.does("wait", "clean"):
-        _cool(happening)
-    _join(happening)
-    _judge_claims(supply, happening)
+                _treat(part, lump, earned, supply, played_step)
+    if played_step.does("heat", "warm"):
+        _heat(supply, played_step)
+    elif played_step.does("wait", "clean"):
+        _cool(played_step)
+    _join(played_step)
+    _judge_claims(supply, played_step)
 
 
 @lru_cache(maxsize=1 << 10)
@@ -59,118 +59,118 @@ def _earned(does: frozenset[str]) -> tuple[str, ...]:
     return tuple(treatment for name in sorted(does) for treatment in GIVES.get(name, ()))
 
 
-def _treated(happening: PlayedStep) -> list[Lump]:
+def _treated(played_step: PlayedStep) -> list[Lump]:
     """Return what the hands work on: the foods that came out in another form, else those that went in."""
-    out = [lump for lump in (*happening.outputs.values(), *happening.made) if not lump.gone]
-    named = out + [lump for lump in happening.inputs if not lump.gone and lump not in out]
+    out = [lump for lump in (*played_step.outputs.values(), *played_step.made) if not lump.gone]
+    named = out + [lump for lump in played_step.inputs if not lump.gone and lump not in out]
     if not named:
-        return _in_vessels(happening)
-    changed = _changed(happening) if happening.does(*_BY_HAND) else []
+        return _in_vessels(played_step)
+    changed = _changed(played_step) if played_step.does(*_BY_HAND) else []
     return changed or named
 
 
-def _in_vessels(happening: PlayedStep) -> list[Lump]:
+def _in_vessels(played_step: PlayedStep) -> list[Lump]:
     """Return what is in the vessels that take part, appliances, tools and packets apart."""
-    return [lump for vessel in happening.vessels if vessel.row.role == "vessel" for lump in vessel.lumps]
+    return [lump for vessel in played_step.vessels if vessel.row.role == "vessel" for lump in vessel.lumps]
 
 
-def _changed(happening: PlayedStep) -> list[Lump]:
+def _changed(played_step: PlayedStep) -> list[Lump]:
     """Return the foods of those outputs that say something else than each input, and the products."""
-    before = {mention.node for mention in happening.step.inputs}
-    changed = [lump for node, lump in happening.outputs.items() if node not in before]
-    return changed + [lump for lump in happening.made if lump not in changed]
+    before = {mention.node for mention in played_step.step.inputs}
+    changed = [lump for node, lump in played_step.outputs.items() if node not in before]
+    return changed + [lump for lump in played_step.made if lump not in changed]
 
 
-def _treat(part: Part, lump: Lump, earned: Sequence[str], supply: Supply, happening: PlayedStep) -> None:
+def _treat(part: Part, lump: Lump, earned: Sequence[str], supply: Supply, played_step: PlayedStep) -> None:
     """Give a part of a food what the motion earns, and the fineness that it makes."""
     if part.remains:
         return
     for treatment in earned:
-        part.done.setdefault(treatment, happening.number)
-    part.fine = max(part.fine, *(FINE.get(name, 0) for name in happening.motion.does if name != "cut"), 0)
-    if _is_pressed_out(lump, supply, happening):
+        part.done.setdefault(treatment, played_step.number)
+    part.fine = max(part.fine, *(FINE.get(name, 0) for name in played_step.motion.does if name != "cut"), 0)
+    if _is_pressed_out(lump, supply, played_step):
         for treatment in GIVES["squeeze"]:
-            part.done.setdefault(treatment, happening.number)
-    if happening.does("cut"):
-        _cut(part, lump, supply, happening)
+            part.done.setdefault(treatment, played_step.number)
+    if played_step.does("cut"):
+        _cut(part, lump, supply, played_step)
 
 
-def _is_pressed_out(lump: Lump, supply: Supply, happening: PlayedStep) -> bool:
+def _is_pressed_out(lump: Lump, supply: Supply, played_step: PlayedStep) -> bool:
     """Whether a food came off one that keeps its skin and core: juice that is separated, zest that is grated."""
     became = supply.reader.tables.foods.food(lump.label, lump.states)
-    comes_off = happening.does("grate") and became.is_any(word_list("is grated off the whole"))
-    return comes_off or (happening.does("separate") and became.is_a("liquid"))
+    comes_off = played_step.does("grate") and became.is_any(word_list("is grated off the whole"))
+    return comes_off or (played_step.does("separate") and became.is_a("liquid"))
 
 
-def _cut(part: Part, lump: Lump, supply: Supply, happening: PlayedStep) -> None:
+def _cut(part: Part, lump: Lump, supply: Supply, played_step: PlayedStep) -> None:
     """Let a part be as fine as its food is told after a cut; tell it (K7) where it was in finer pieces before."""
     fineness = [supply.reader.tables.state(state).fine for state in lump.states]
     fine = max((one for one in fineness if one is not None), default=FINE["cut"])
     if 0 < fine < part.fine and not lump.mixed:
-        happening.fault("K7", f"{part.name} is in finer pieces already", minor=True)
+        played_step.fault("K7", f"{part.name} is in finer pieces already", minor=True)
     part.fine = max(part.fine, fine)
 
 
-def _told_cooked(supply: Supply, happening: PlayedStep) -> bool:
+def _told_cooked(supply: Supply, played_step: PlayedStep) -> bool:
     """Whether a step that only makes hot says that its food is cooked then: people heat until it is."""
-    states = [state for lump in happening.outputs.values() for state in lump.states]
+    states = [state for lump in played_step.outputs.values() for state in lump.states]
     return any("cook" in supply.reader.tables.state(state).earns for state in states)
 
 
-def _heat(supply: Supply, happening: PlayedStep) -> None:
+def _heat(supply: Supply, played_step: PlayedStep) -> None:
     """Heat the vessels of a step and all that is in them."""
-    happening.heated = power.heated_vessels(happening)
-    happening.in_oven = any(power.stands_in_oven(vessel) for vessel in happening.heated)
-    for vessel in (*happening.vessels, *happening.heated):
+    played_step.heated = power.heated_vessels(played_step)
+    played_step.in_oven = any(power.stands_in_oven(vessel) for vessel in played_step.heated)
+    for vessel in (*played_step.vessels, *played_step.heated):
         vessel.hot = True
-    parts = _hot_parts(happening)
-    earned = _earned_by_heat(parts, supply, happening)
+    parts = _hot_parts(played_step)
+    earned = _earned_by_heat(parts, supply, played_step)
     for part in parts:
-        part.heated = happening.number
+        part.heated = played_step.number
         for treatment in earned:
-            part.done.setdefault(treatment, happening.number)
+            part.done.setdefault(treatment, played_step.number)
 
 
-def _earned_by_heat(parts: Sequence[Part], supply: Supply, happening: PlayedStep) -> tuple[str, ...]:
+def _earned_by_heat(parts: Sequence[Part], supply: Supply, played_step: PlayedStep) -> tuple[str, ...]:
     """Return which treatments foods earn over heat: all are cooked, and boiled where a liquid is among them."""
-    if not (happening.does("heat") or _told_cooked(supply, happening)):
+    if not (played_step.does("heat") or _told_cooked(supply, played_step)):
         return ()
     bath = any(part.food.is_a("cooking liquid") and not part.spoonful for part in parts)
-    return ("cook", "boil") if bath and not happening.does("dry") else ("cook",)
+    return ("cook", "boil") if bath and not played_step.does("dry") else ("cook",)
 
 
-def _hot_parts(happening: PlayedStep) -> list[Part]:
+def _hot_parts(played_step: PlayedStep) -> list[Part]:
     """Return the parts of what is in the heated vessels, and of the foods that the step names."""
-    held = [lump for vessel in happening.heated for lump in vessel.lumps]
-    named = [lump for lump in (*happening.inputs, *happening.outputs.values()) if not lump.gone]
+    held = [lump for vessel in played_step.heated for lump in vessel.lumps]
+    named = [lump for lump in (*played_step.inputs, *played_step.outputs.values()) if not lump.gone]
     return [part for lump in dict.fromkeys([*held, *named]) for part in lump.parts]
 
 
-def _cool(happening: PlayedStep) -> None:
+def _cool(played_step: PlayedStep) -> None:
     """Note what stood a while, or was rinsed, for the first time since it was heated: it is no longer hot."""
-    for part in (part for lump in happening.treated for part in lump.parts):
+    for part in (part for lump in played_step.treated for part in lump.parts):
         if part.cooled is None or part.cooled < (part.heated or 0):
-            part.cooled = happening.number
+            part.cooled = played_step.number
 
 
-def _join(happening: PlayedStep) -> None:
+def _join(played_step: PlayedStep) -> None:
     """Note which parts come to others, and which are mixed with them."""
-    mixes = happening.does("mix", "blend", "knead", "mash", "whip")
-    origin = {id(lump): before for lump, before, _ in happening.moved}
-    for vessel in _places(happening):
+    mixes = played_step.does("mix", "blend", "knead", "mash", "whip")
+    origin = {id(lump): before for lump, before, _ in played_step.moved}
+    for vessel in _places(played_step):
         if vessel.row.role != "storage" and _holds_several(vessel):
             several = len({id(origin.get(id(lump), vessel)) for lump in vessel.lumps}) > 1
             for lump in vessel.lumps:
-                _note(lump, happening.number, joins=several and id(lump) in origin, mixes=mixes)
-    if happening.does(*_GATHERS):
-        _mix_outputs(happening, mixes=mixes or not happening.does("heat"))
+                _note(lump, played_step.number, joins=several and id(lump) in origin, mixes=mixes)
+    if played_step.does(*_GATHERS):
+        _mix_outputs(played_step, mixes=mixes or not played_step.does("heat"))
 
 
-def _mix_outputs(happening: PlayedStep, *, mixes: bool) -> None:
+def _mix_outputs(played_step: PlayedStep, *, mixes: bool) -> None:
     """Note what came out as one food of several: its parts are together, and mixed too where the motion ``mixes``."""
-    for lump in happening.outputs.values():
+    for lump in played_step.outputs.values():
         if lump.mixed:
-            _note(lump, happening.number, joins=False, mixes=mixes)
+            _note(lump, played_step.number, joins=False, mixes=mixes)
 
 
 def _holds_several(vessel: Vessel) -> bool:
@@ -178,10 +178,10 @@ def _holds_several(vessel: Vessel) -> bool:
     return len({part.name for lump in vessel.lumps for part in lump.parts}) > 1
 
 
-def _places(happening: PlayedStep) -> list[Vessel]:
+def _places(played_step: PlayedStep) -> list[Vessel]:
     """Return the vessels that took part, and those in which its foods are, each once."""
-    lumps = (*happening.inputs, *happening.outputs.values())
-    return list(dict.fromkeys([*happening.vessels, *(lump.where for lump in lumps if lump.where is not None)]))
+    lumps = (*played_step.inputs, *played_step.outputs.values())
+    return list(dict.fromkeys([*played_step.vessels, *(lump.where for lump in lumps if lump.where is not None)]))
 
 
 def _note(lump: Lump, number: int, *, joins: bool, mixes: bool) -> None:
@@ -192,17 +192,17 @@ def _note(lump: Lump, number: int, *, joins: bool, mixes: bool) -> None:
             part.mixed = number
 
 
-def _judge_claims(supply: Supply, happening: PlayedStep) -> None:
+def _judge_claims(supply: Supply, played_step: PlayedStep) -> None:
     """Ask of each state that an output says and no input whether this motion gives it."""
-    before = {state for mention in happening.step.inputs for state in mention.node.states}
-    for said in happening.said_out:
-        lump = happening.outputs.get(said.node) if said.is_food else None
-        if lump is None or lump in happening.made:
+    before = {state for mention in played_step.step.inputs for state in mention.node.states}
+    for said in played_step.output_readings:
+        lump = played_step.outputs.get(said.node) if said.is_food else None
+        if lump is None or lump in played_step.made:
             continue
         for state in said.node.states:
             row = supply.reader.tables.state(state)
             if state not in before and _takes_work(row):
-                _claimed_so(said, state, row, lump, happening)
+                _claimed_so(said, state, row, lump, played_step)
 
 
 def _takes_work(row: State) -> bool:
@@ -210,27 +210,27 @@ def _takes_work(row: State) -> bool:
     return not row.sold and bool(row.earns or row.fine)
 
 
-def _claimed_so(said: NodeReading, state: str, row: State, lump: Lump, happening: PlayedStep) -> None:
+def _claimed_so(said: NodeReading, state: str, row: State, lump: Lump, played_step: PlayedStep) -> None:
     """Tell one fresh state that the motion cannot give, or that nothing earned; what is advised anyway is counted."""
     if not _was_before(lump, row):
         never = " or ".join(sorted(row.before))
-        happening.fault("K7", f"it is {state}, and it was never {never}", said.node, minor=True)
+        played_step.fault("K7", f"it is {state}, and it was never {never}", said.node, minor=True)
     missing = row.earns - {"remains"} - set().union(*(part.done for part in lump.parts))
     if not missing:
-        if _cannot_give(state, happening):
-            happening.fault("K4", f"“{happening.step.motion}” does not make it {state}", said.node, minor=True)
-    elif row.needs_heat and _is_hot(lump, happening):
+        if _cannot_give(state, played_step):
+            played_step.fault("K4", f"“{played_step.step.motion}” does not make it {state}", said.node, minor=True)
+    elif row.needs_heat and _is_hot(lump, played_step):
         return
-    elif _can_give(state, happening):
+    elif _can_give(state, played_step):
         for part in lump.parts:
-            part.done |= dict.fromkeys(sorted(ADVISED & missing), happening.number)
+            part.done |= dict.fromkeys(sorted(ADVISED & missing), played_step.number)
     else:
-        happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
+        played_step.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
 
 
-def _cannot_give(state: str, happening: PlayedStep) -> bool:
+def _cannot_give(state: str, played_step: PlayedStep) -> bool:
     """Whether it is known what a motion gives, and this state is not of it."""
-    return happening.motion.known and bool(happening.motion.gives) and not _can_give(state, happening)
+    return played_step.motion.known and bool(played_step.motion.gives) and not _can_give(state, played_step)
 
 
 def _was_before(lump: Lump, row: State) -> bool:
@@ -238,14 +238,14 @@ def _was_before(lump: Lump, row: State) -> bool:
     return not row.before or any(not row.before.isdisjoint(part.states) for part in lump.parts)
 
 
-def _is_hot(lump: Lump, happening: PlayedStep) -> bool:
+def _is_hot(lump: Lump, played_step: PlayedStep) -> bool:
     """Whether a step heats, or a food is in a hot vessel on a source of heat."""
     place = lump.where
-    if happening.does("heat", "warm"):
+    if played_step.does("heat", "warm"):
         return True
     return place is not None and place.where is not None and place.where.row.source == "heat" and place.hot
 
 
-def _can_give(state: str, happening: PlayedStep) -> bool:
+def _can_give(state: str, played_step: PlayedStep) -> bool:
     own = set(state.lower().replace("-", " ").split())
-    return any(state.lower() == given or set(given.split()) & own for given in happening.motion.gives)
+    return any(state.lower() == given or set(given.split()) & own for given in played_step.motion.gives)

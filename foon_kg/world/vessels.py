@@ -17,7 +17,7 @@ def match(out: Outcome) -> None:
 
     What holds most of what it is said to hold is matched first, so that the order of the outputs decides nothing.
     """
-    free = list(out.happening.vessels)
+    free = list(out.played_step.vessels)
     utensils = [place for place, one in enumerate(out.said) if one.utensil is not None]
     if len(utensils) > 1:
         utensils.sort(key=lambda place: _surest_first(out, place))
@@ -38,7 +38,7 @@ def _surest_first(out: Outcome, place: int) -> tuple[int, NodeSortKey]:
     one = out.said[place]
     if not one.names:
         return 0, one.node.sort_key
-    alike = [len(one.names & vessel.names) for vessel in out.happening.vessels if vessel.label == one.label]
+    alike = [len(one.names & vessel.names) for vessel in out.played_step.vessels if vessel.label == one.label]
     return -max(alike, default=0), one.node.sort_key
 
 
@@ -47,7 +47,7 @@ def _matching(out: Outcome, mention: Mention, one: NodeReading, free: Sequence[V
     if mention.thing is not None:
         vessel = out.supply.numbered_vessels.get(mention.thing)
         if vessel is not None and vessel.label != one.label:
-            out.happening.fault("W2", f"the {vessel.label} has become a {one.label}", mention.node)
+            out.played_step.fault("W2", f"the {vessel.label} has become a {one.label}", mention.node)
         return vessel
     alike = [vessel for vessel in free if vessel.label == one.label]
     if not alike:
@@ -63,8 +63,8 @@ def _emptied(out: Outcome, one: NodeReading, alike: Sequence[Vessel]) -> Vessel:
 
 def _filled(out: Outcome, one: NodeReading, alike: Sequence[Vessel]) -> Vessel:
     """Return which of several vessels of one name is told to hold something: not that out of which it was poured."""
-    sources = {id(lump.where) for lump in out.happening.inputs if lump.where is not None}
-    poured = out.happening.does("move") and any(id(vessel) not in sources for vessel in alike)
+    sources = {id(lump.where) for lump in out.played_step.inputs if lump.where is not None}
+    poured = out.played_step.does("move") and any(id(vessel) not in sources for vessel in alike)
     left = sources if poured else set()
     return max(alike, key=lambda vessel: (id(vessel) not in left, len(one.names & vessel.names), vessel.last))
 
@@ -77,7 +77,7 @@ def _appearing(out: Outcome, mention: Mention, one: NodeReading) -> Vessel | Non
     if one.is_appliance:
         return out.supply.appliance(one.label)
     if one.names:
-        out.happening.fault("W2", f"a filled {one.label} comes from nowhere", mention.node)
+        out.played_step.fault("W2", f"a filled {one.label} comes from nowhere", mention.node)
     return out.supply.fresh(one.label, mention.thing)
 
 
@@ -87,10 +87,10 @@ def _stand(out: Outcome, vessel: Vessel, one: NodeReading, node: ObjectNode) -> 
         if vessel.where is None or vessel.where.label != one.place:
             out.supply.stand(vessel, _holder(out, one.place, one.place_utensil))
         if _is_new(out, node):
-            out.happening.vessels_moved = True
+            out.played_step.vessels_moved = True
     elif _is_taken_away(out, vessel, one):
         vessel.where = None
-        out.happening.vessels_moved = True
+        out.played_step.vessels_moved = True
     if vessel.row.role != "wrap":
         _close(out, vessel, one)
 
@@ -99,7 +99,7 @@ def _close(out: Outcome, vessel: Vessel, one: NodeReading) -> None:
     """Close or open a vessel as its node and the motion say, and the one over which a lid is told."""
     if one.covered:
         vessel.covered = True
-    elif out.happening.does("uncover", "open", "detach", "attach"):
+    elif out.played_step.does("uncover", "open", "detach", "attach"):
         vessel.covered = False
     if one.covers is not None:
         _cover(out, one.covers)
@@ -107,26 +107,26 @@ def _close(out: Outcome, vessel: Vessel, one: NodeReading) -> None:
 
 def _is_new(out: Outcome, node: ObjectNode) -> bool:
     """Whether an output node says something else than each input node."""
-    return node not in {mention.node for mention in out.happening.step.inputs}
+    return node not in {mention.node for mention in out.played_step.step.inputs}
 
 
 def _is_taken_away(out: Outcome, vessel: Vessel, one: NodeReading) -> bool:
     """Whether a step takes a vessel off what it stood on: it moves things, and tells the vessel without a place."""
-    if vessel.where is None or vessel.is_appliance or not out.happening.does("detach", "move", "fetch"):
+    if vessel.where is None or vessel.is_appliance or not out.played_step.does("detach", "move", "fetch"):
         return False
     return _is_new(out, one.node)
 
 
 def _cover(out: Outcome, label: str) -> None:
     """Cover the vessel over which a lid is told."""
-    if out.happening.does("close"):
-        for vessel in out.happening.vessels:
+    if out.played_step.does("close"):
+        for vessel in out.played_step.vessels:
             if vessel.label == label:
                 vessel.covered = True
 
 
 def _holder(out: Outcome, label: str, row: Utensil) -> Vessel:
-    inside = next((vessel for vessel in out.happening.vessels if vessel.label == label), None)
+    inside = next((vessel for vessel in out.played_step.vessels if vessel.label == label), None)
     if inside is not None:
         return inside
     return out.supply.appliance(label) if row.role == "appliance" else out.supply.holder(label)

@@ -31,51 +31,51 @@ class World:
         for name in names:
             counts[name] = counts.get(name, 0) + 1
         self.supply = Supply(self.reader, counts)
-        self.happenings: list[PlayedStep] = []
+        self.played_steps: list[PlayedStep] = []
 
     def play(self, step: Step) -> PlayedStep:
         """Play the next step; what cannot happen stands in its ``mishaps``."""
-        happening = PlayedStep(len(self.happenings), step, self.tables.motion(step.motion))
-        self.happenings.append(happening)
-        said = happening.said_in = [self.reader.read(mention.node) for mention in step.inputs]
-        happening.said_out = [self.reader.read(mention.node) for mention in step.outputs]
-        self._take_vessels(step.inputs, said, happening)
-        self._take_foods(step.inputs, said, happening)
-        power.check_inputs(happening)
-        before = {id(lump): lump.where for vessel in happening.vessels for lump in vessel.lumps}
-        before |= {id(lump): lump.where for lump in happening.inputs}
-        outcome = Outcome(self.supply, happening, before)
+        played_step = PlayedStep(len(self.played_steps), step, self.tables.motion(step.motion))
+        self.played_steps.append(played_step)
+        said = played_step.input_readings = [self.reader.read(mention.node) for mention in step.inputs]
+        played_step.output_readings = [self.reader.read(mention.node) for mention in step.outputs]
+        self._take_vessels(step.inputs, said, played_step)
+        self._take_foods(step.inputs, said, played_step)
+        power.check_inputs(played_step)
+        before = {id(lump): lump.where for vessel in played_step.vessels for lump in vessel.lumps}
+        before |= {id(lump): lump.where for lump in played_step.inputs}
+        outcome = Outcome(self.supply, played_step, before)
         vessels.match(outcome)
         foods.settle(outcome)
         contents.settle(outcome)
         outcome.remember()
-        treatment.apply(self.supply, happening)
-        power.check_outputs(self.supply, happening)
-        happening.hot = power.hot_vessels(self.supply)
-        return happening
+        treatment.apply(self.supply, played_step)
+        power.check_outputs(self.supply, played_step)
+        played_step.hot = power.hot_vessels(self.supply)
+        return played_step
 
-    def _take_vessels(self, mentions: Sequence[Mention], said: Sequence[NodeReading], happening: PlayedStep) -> None:
+    def _take_vessels(self, mentions: Sequence[Mention], said: Sequence[NodeReading], played_step: PlayedStep) -> None:
         """Find the vessels that go in: those that say most first, so that the order of the inputs decides nothing."""
         places = [place for place, one in enumerate(said) if one.utensil is not None]
         ordered = places
         if len(places) > 1:
             ordered = sorted(places, key=lambda place: (-len(said[place].names), mentions[place].node.sort_key))
-        found = {place: self._take_vessel(mentions[place], said[place], happening) for place in ordered}
-        happening.vessels = [found[place] for place in places]
-        happening.tools = [mentions[place].node for place in places if found[place].row.role in {"tool", "lid"}]
+        found = {place: self._take_vessel(mentions[place], said[place], played_step) for place in ordered}
+        played_step.vessels = [found[place] for place in places]
+        played_step.tools = [mentions[place].node for place in places if found[place].row.role in {"tool", "lid"}]
 
-    def _take_vessel(self, mention: Mention, said: NodeReading, happening: PlayedStep) -> Vessel:
+    def _take_vessel(self, mention: Mention, said: NodeReading, played_step: PlayedStep) -> Vessel:
         """Return the vessel that goes in as a mention says, standing where its node says."""
-        vessel = self.supply.vessel(mention, said, happening)
-        vessel.last = happening.number
-        happening.vessels.append(vessel)
+        vessel = self.supply.vessel(mention, said, played_step)
+        vessel.last = played_step.number
+        played_step.vessels.append(vessel)
         if said.place_utensil is not None and (vessel.where is None or vessel.where.label != said.place):
             self.supply.stand(vessel, self.supply.holder(str(said.place)))
         return vessel
 
-    def _take_foods(self, mentions: Sequence[Mention], said: Sequence[NodeReading], happening: PlayedStep) -> None:
+    def _take_foods(self, mentions: Sequence[Mention], said: Sequence[NodeReading], played_step: PlayedStep) -> None:
         for mention, one in zip(mentions, said, strict=True):
             if one.utensil is None:
-                lump = self.supply.food(mention, one, happening)
-                lump.last = happening.number
-                happening.inputs.append(lump)
+                lump = self.supply.food(mention, one, played_step)
+                lump.last = played_step.number
+                played_step.inputs.append(lump)

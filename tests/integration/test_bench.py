@@ -149,9 +149,9 @@ class Cook:
     # --- what always holds ---
 
     def check(self):
-        for done in self.bench.done[len(self.world.happenings) :]:
-            happening = self.world.play(done.step)
-            assert [mishap for mishap in happening.mishaps if not mishap.minor] == []
+        for done in self.bench.done[len(self.world.played_steps) :]:
+            played_step = self.world.play(done.step)
+            assert [mishap for mishap in played_step.mishaps if not mishap.minor] == []
             assert done.attested.seen_in
         for vessel in self.vessels:
             assert all(stuff.at is vessel for stuff in vessel.contents)

@@ -24,10 +24,10 @@ def play(text, asked=()):
 def faults(world):
     """Return what could not happen: rule, level, step (from 1), nodes and reason."""
     return [
-        f"{mishap.rule}{' (minor)' if mishap.minor else ''} step {happening.number + 1}"
+        f"{mishap.rule}{' (minor)' if mishap.minor else ''} step {played_step.number + 1}"
         f"{''.join(f' {node}' for node in mishap.nodes)}: {mishap.reason}"
-        for happening in world.happenings
-        for mishap in happening.mishaps
+        for played_step in world.played_steps
+        for mishap in played_step.mishaps
     ]
 
 
@@ -84,7 +84,7 @@ def histories(world):
 
 def happened(world):
     """Return what the last step did to which things."""
-    last = world.happenings[-1]
+    last = world.played_steps[-1]
     told = {
         "inputs": [lump.label for lump in last.inputs],
         "outputs": [f"{node} is {_told(lump)}" for node, lump in last.outputs.items()],

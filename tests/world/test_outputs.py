@@ -134,7 +134,7 @@ def test_a_food_that_is_told_without_a_place_stays_in_its_bowl(motion):
     ],
 )
 def test_vessels_that_take_part_are_those_that_went_in(steps, told):
-    assert [vessel.label for vessel in play(steps).happenings[-1].vessels] == told
+    assert [vessel.label for vessel in play(steps).played_steps[-1].vessels] == told
 
 
 def test_a_vessel_is_noted_as_emptied_when_its_last_food_left_it():
@@ -143,7 +143,7 @@ tomato (sliced) + onion (sliced) + bowl (empty) → PUT → tomato (sliced; in b
 tomato (sliced; in bowl) + cup (empty) → PUT → tomato (sliced; in cup)
 onion (sliced; in bowl) + cup → PUT → onion (sliced; in cup)
 """)
-    assert [[vessel.label for vessel in one.emptied] for one in world.happenings] == [[], [], ["bowl"]]
+    assert [[vessel.label for vessel in one.emptied] for one in world.played_steps] == [[], [], ["bowl"]]
 
 
 def test_what_comes_out_again_is_not_mixed_in_whatever_the_order():

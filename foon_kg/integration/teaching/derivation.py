@@ -62,7 +62,7 @@ class _Derivation:
 
     def _parts_of(self, goal: ObjectNode, last: int) -> dict[int, Part]:
         """Return the parts of a goal by their numbers, without those of which only a name tells if there are others."""
-        lump = self.played.happenings[last].outputs.get(goal)
+        lump = self.played.played_steps[last].outputs.get(goal)
         if lump is None:
             return {}
         parts = {self.played.number(part): part for part in self.played.parts_of(lump, last) if not part.remains}
@@ -123,27 +123,27 @@ class _Derivation:
         cluster.place = place or was
         if inside.isdisjoint(cluster.parts):
             return cluster
-        happening = self.played.happenings[step]
+        played_step = self.played.played_steps[step]
         if cluster.is_untouched and len({parts[name].name for name in cluster.parts}) == 1:
             self._handle_alone(cluster, was, place, step)
-        elif _works(happening) or _is_brought_on(was, place):
-            cluster.stages.append(self._stage(cluster, happening, place, step))
+        elif _works(played_step) or _is_brought_on(was, place):
+            cluster.stages.append(self._stage(cluster, played_step, place, step))
             cluster.waiting = []
         return cluster
 
     def _handle_alone(self, cluster: Cluster, was: Place | None, now: Place | None, step: int) -> None:
         """Note what a step does to a food by itself, which ``was`` in one place and is in another ``now``."""
-        happening = self.played.happenings[step]
-        if happening.does("heat") and not self.played.heated[step].isdisjoint(cluster.parts):
-            cluster.cooked.append(happening.step.motion)
+        played_step = self.played.played_steps[step]
+        if played_step.does("heat") and not self.played.heated[step].isdisjoint(cluster.parts):
+            cluster.cooked.append(played_step.step.motion)
         if now is not None and (was is None or was.vessel != now.vessel):
-            cluster.brought = (*_motion_of(happening), was.vessel if was is not None else "")
+            cluster.brought = (*_motion_of(played_step), was.vessel if was is not None else "")
 
     def _met(self, group: list[Cluster], parts: dict[int, Part], step: int) -> Cluster:
         """Return clusters that meet in a step as one: that which stays where it is, with what waits to be worked in."""
         first = self._receiver(group, parts, step)
         others = [cluster for cluster in group if cluster is not first]
-        motion = _motion_of(self.played.happenings[step])
+        motion = _motion_of(self.played.played_steps[step])
         adds: list[Slot | Line] = [first.slot(parts, self.known, first.brought)] if first.is_untouched else []
         for cluster in others:
             if cluster.is_untouched:
@@ -166,28 +166,28 @@ class _Derivation:
 
         return max(group, key=order)
 
-    def _stage(self, cluster: Cluster, happening: PlayedStep, place: Place | None, step: int) -> Stage:
+    def _stage(self, cluster: Cluster, played_step: PlayedStep, place: Place | None, step: int) -> Stage:
         """Return what a step does to a cluster, which is at ``place`` then, and to what waits to be worked in."""
-        motion, tools = _motion_of(happening)
-        appliance, source = _appliance(happening, place, self.known) if _works(happening) else ("", "")
-        does = happening.motion.does
-        if source == "heat" and place is not None and self._is_stirred_hot(happening, place, step):
+        motion, tools = _motion_of(played_step)
+        appliance, source = _appliance(played_step, place, self.known) if _works(played_step) else ("", "")
+        does = played_step.motion.does
+        if source == "heat" and place is not None and self._is_stirred_hot(played_step, place, step):
             does |= {"heat"}  # what is stirred over a fire cooks, though nobody noted the cooking
-        bath = self._bath(cluster, happening) if "liquid" in does else []
+        bath = self._bath(cluster, played_step) if "liquid" in does else []
         adds = (*bath, *cluster.waiting)
         vessel, relation, label, states = place_told(place)
         return Stage(adds, motion, does, tools, vessel, relation, appliance, source, label, states, step)
 
-    def _is_stirred_hot(self, happening: PlayedStep, place: Place, step: int) -> bool:
-        does = happening.motion.does
+    def _is_stirred_hot(self, played_step: PlayedStep, place: Place, step: int) -> bool:
+        does = played_step.motion.does
         if "mix" not in does:
             return False
         lit = place.vessel in self.played.over_heat[step] and does <= {"mix", "move"}
-        return lit or self._told_cooked(place, happening)
+        return lit or self._told_cooked(place, played_step)
 
-    def _bath(self, cluster: Cluster, happening: PlayedStep) -> list[Slot]:
+    def _bath(self, cluster: Cluster, played_step: PlayedStep) -> list[Slot]:
         """Return the water in which a dish is cooked that is not in it at the end: somebody poured it away."""
-        lumps = [*happening.inputs, *(lump for vessel in happening.vessels for lump in vessel.lumps)]
+        lumps = [*played_step.inputs, *(lump for vessel in played_step.vessels for lump in vessel.lumps)]
         parts = {self.played.number(part): part for lump in lumps for part in lump.parts}
         others = [part for name, part in sorted(parts.items()) if name not in cluster.parts]
         water = next((part for part in others if part.food.is_a("water")), None)
@@ -195,10 +195,10 @@ class _Derivation:
             return []
         return [Slot(water.name, self.known.foods.food(water.name, water.states).kind, water.states)]
 
-    def _told_cooked(self, place: Place, happening: PlayedStep) -> bool:
+    def _told_cooked(self, place: Place, played_step: PlayedStep) -> bool:
         """Whether what is at a place is called cooked after a step, and was not before."""
-        before = {state for lump in happening.inputs for state in lump.states if lump.label == place.label}
-        rows = [self.known.state(state) for state in place.states if state not in before or happening.made]
+        before = {state for lump in played_step.inputs for state in lump.states if lump.label == place.label}
+        rows = [self.known.state(state) for state in place.states if state not in before or played_step.made]
         return any(row.needs_heat or "cook" in row.earns or row.half for row in rows)
 
 
@@ -215,14 +215,14 @@ def _lost(goal: ObjectNode, line: Line, known: Tables) -> tuple[str, ...]:
     )
 
 
-def _works(happening: PlayedStep) -> bool:
+def _works(played_step: PlayedStep) -> bool:
     """Whether a step changes something, and does not only bring it somewhere."""
-    return not happening.motion.does.isdisjoint(WORK)
+    return not played_step.motion.does.isdisjoint(WORK)
 
 
-def _motion_of(happening: PlayedStep) -> tuple[str, tuple[str, ...]]:
+def _motion_of(played_step: PlayedStep) -> tuple[str, tuple[str, ...]]:
     """Return the motion of a step and the labels of its tools, sorted: a :data:`~.operators.Way`."""
-    return happening.step.motion, tuple(sorted(singular(node.label) for node in happening.tools))
+    return played_step.step.motion, tuple(sorted(singular(node.label) for node in played_step.tools))
 
 
 def _is_brought_on(was: Place | None, now: Place | None) -> bool:
@@ -230,25 +230,25 @@ def _is_brought_on(was: Place | None, now: Place | None) -> bool:
     return was is not None and now is not None and was.vessel != now.vessel
 
 
-def _appliance(happening: PlayedStep, place: Place | None, known: Tables) -> tuple[str, str]:
+def _appliance(played_step: PlayedStep, place: Place | None, known: Tables) -> tuple[str, str]:
     """Return what works on a thing at ``place`` in a step, and by what (heat, cold, power); ``""`` for nothing."""
-    held = _held(happening)
+    held = _held(played_step)
     if held is not None:
         return held.label, held.row.source
     stands = _stands_on(place, known) if place is not None else None
     if stands is not None:
         return stands
-    for vessel in _appliances(happening.vessels):
+    for vessel in _appliances(played_step.vessels):
         if vessel.row.source in {"heat", "cold", "power"}:
             return vessel.label, vessel.row.source
     return "", ""
 
 
-def _held(happening: PlayedStep) -> Vessel | None:
+def _held(played_step: PlayedStep) -> Vessel | None:
     """Return what hands hold to a thing: whatever the vessel stands on, a hand mixer does what heat does not."""
-    if "heat" in happening.motion.does:
+    if "heat" in played_step.motion.does:
         return None
-    held = (one for one in happening.vessels if one.row.source == "power" and not one.row.holds)
+    held = (one for one in played_step.vessels if one.row.source == "power" and not one.row.holds)
     return next((one for one in held if one.is_appliance), None)
 
 

@@ -58,9 +58,9 @@ class Played:
             self.over_heat.append(frozenset(vessel.label for vessel in self._vessels() if _is_over_fire(vessel)))
 
     @property
-    def happenings(self) -> Sequence[PlayedStep]:
+    def played_steps(self) -> Sequence[PlayedStep]:
         """What happened at each step."""
-        return self.world.happenings
+        return self.world.played_steps
 
     def number(self, part: Part) -> int:
         """Return the number by which a part is known here."""
@@ -105,10 +105,10 @@ class Played:
 
     def inside(self, step: int) -> set[int]:
         """Return the numbers of the parts of all that a step is about."""
-        happening = self.happenings[step]
-        lumps = [*happening.inputs, *happening.outputs.values(), *happening.made]
-        lumps += [lump for vessel in happening.vessels for lump in vessel.lumps if vessel.row.role != "storage"]
-        lumps += [lump for lump, _, _ in happening.moved]
+        played_step = self.played_steps[step]
+        lumps = [*played_step.inputs, *played_step.outputs.values(), *played_step.made]
+        lumps += [lump for vessel in played_step.vessels for lump in vessel.lumps if vessel.row.role != "storage"]
+        lumps += [lump for lump, _, _ in played_step.moved]
         return {self.number(part) for lump in lumps for part in lump.parts}
 
     def place_of(self, part: Part, step: int) -> Place | None:
