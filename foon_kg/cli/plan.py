@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -32,6 +32,18 @@ EXAMPLES = examples(
     "foon plan recipe.json --enumerate --limit 5000",
     "foon plan recipe.json --method paper",
 )
+
+
+_OTHER_FORMS = (
+    ("--json", "--foon", "--explain"),
+    ("--output", "--foon", "--explain", "--enumerate"),
+    ("--enumerate", "--foon", "--explain"),
+    ("--recipes", "--foon", "--explain", "--enumerate"),
+)
+"""Rows of options of which each asks for another form of the answer."""
+
+_OURS = ("--explain", "--enumerate", "--kitchen", "--with-drafts", "--substitute", "--avoid", "--after")
+"""Options of which the paper's own method knows nothing."""
 
 
 Wanted = Annotated[
@@ -161,12 +173,12 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     from foon_kg.cli.plan_collection import CollectionRun, plan_collection
     from foon_kg.foon import PlanSettings
 
-    forms = {"--json": as_json or output is not None, "--foon": foon, "--explain": explain}
-    _one_form(forms)
-    _one_form({"--enumerate": enumerate_all} | forms | {"--json": False, "--output": output is not None})
+    forms = {"--explain": explain, "--enumerate": enumerate_all, "--json": as_json, "--foon": foon}
+    wishes = {"--kitchen": kitchen, "--with-drafts": with_drafts, "--substitute": substitute, "--avoid": avoid}
+    asked = forms | wishes | {"--after": after, "--output": output, "--recipes": recipes is not None}
+    _one_form(asked)
     if method == "paper":
-        own = {"--explain": explain, "--enumerate": enumerate_all, "--kitchen": kitchen, "--with-drafts": with_drafts}
-        _ours_only(own | {"--substitute": substitute, "--avoid": avoid, "--after": after})
+        _ours_only(asked)
     say = sayer(quiet=quiet)
     settings = PlanSettings(
         substitutes=tuple(map(_substitute, substitute or ())),
@@ -177,7 +189,6 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
         with_drafts=with_drafts,
     )
     if recipes is not None:
-        _one_form({"--recipes": True, "--foon": foon, "--explain": explain, "--enumerate": enumerate_all})
         _alone(wanted, recipe, dish, title)
         _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, dask, say, quiet)))
         return
@@ -235,14 +246,16 @@ def _shown_as(*, foon: bool, as_json: bool) -> Show:
     return show_text if foon else show_line if as_json else show_view
 
 
-def _one_form(asked: dict[str, bool]) -> None:
-    forms = [option for option, chosen in asked.items() if chosen]
-    if len(forms) > 1:
-        raise UsageError(f"{' and '.join(forms)} ask for two forms of one answer", hint="Choose one of them.")
+def _one_form(asked: Mapping[str, object]) -> None:
+    """Refuse what is ``asked`` where two of the options of one row are."""
+    for row in _OTHER_FORMS:
+        forms = [option for option in row if asked[option]]
+        if len(forms) > 1:
+            raise UsageError(f"{' and '.join(forms)} ask for two forms of one answer", hint="Choose one of them.")
 
 
-def _ours_only(asked: dict[str, object]) -> None:
-    option = next((option for option, chosen in asked.items() if chosen), None)
+def _ours_only(asked: Mapping[str, object]) -> None:
+    option = next((option for option in _OURS if asked[option]), None)
     if option is not None:
         raise UsageError(f"the paper's method knows nothing of {option}", hint="Leave --method paper or that out.")
 
