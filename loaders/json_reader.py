@@ -2,7 +2,8 @@
 
 The authors' JSON is a list of units ``{"input_nodes", "motion_node", "output_nodes"}`` with nodes ``{"label", "states",
 "ingredients", "container"}``. foon-kg writes ``{"sources": […], "units": […]}`` and adds what the other leaves out: a
-node's ``relation``, ``moving`` and ``dish_type``, a unit's ``accepts_any`` and ``timing``.
+node's ``relation``, ``moving`` and ``dish_type``, a unit's ``accepts_any`` and ``timing``, and where a task
+tree's unit was ``seen_in``.
 """
 
 from __future__ import annotations
@@ -15,13 +16,23 @@ from foon_kg.loaders.json_document import parse_document
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, UnreadableFile
 from foon_kg.loaders.text_lines import fold
 from foon_kg.loaders.times import is_time
-from foon_kg.model import DISH_TYPES, UNMEASURED, Annotation, FunctionalUnit, Measures, ObjectNode, Participant, Timing
+from foon_kg.model import (
+    DISH_TYPES,
+    UNMEASURED,
+    Annotation,
+    FunctionalUnit,
+    Measures,
+    ObjectNode,
+    Participant,
+    Sighting,
+    Timing,
+)
 from foon_kg.model.errors import ReadError
 from foon_kg.model.json_fields import Fields
-from foon_kg.model.node_json import measures_from_json
+from foon_kg.model.node_json import measures_from_json, sighting_from_json
 
 _FILE_FIELDS = frozenset({"sources", "units"})
-_UNIT_FIELDS = frozenset({"accepts_any", "input_nodes", "measures", "motion_node", "output_nodes", "timing"})
+_UNIT_FIELDS = frozenset({"accepts_any", "input_nodes", "measures", "motion_node", "output_nodes", "seen_in", "timing"})
 _NODE_FIELDS = frozenset({"container", "dish_type", "ingredients", "label", "moving", "relation", "states"})
 _TIMING_FIELDS = frozenset({"assumed", "spans"})
 _MEASURES = frozenset({"amounts", "seconds", "celsius"})
@@ -110,7 +121,8 @@ class _UnitReading:
             if one.dish_type is not None:
                 message = f"{fields.where}: an input with the dish type {one.dish_type!r}"
                 self._remark(NoticeKind.CLASS_ON_INPUT, message, "kept there, makes no goal")
-        return Annotation(FunctionalUnit(inputs, motion, outputs, accepts_any), timing, self._measures(fields))
+        unit = FunctionalUnit(inputs, motion, outputs, accepts_any)
+        return Annotation(unit, timing, self._measures(fields), self._seen_in(fields))
 
     def _participants(self, fields: Fields, side: str) -> tuple[Participant, ...]:
         return tuple(self._participant(node) for node in fields.nested_list(side))
@@ -157,6 +169,14 @@ class _UnitReading:
         if odd or not all(amounts) or (measures.seconds or 0) < 0:
             raise ReadError(f"{fields.where}: measures that are none", hint='Write {"seconds": 3600, "celsius": 165}.')
         return replace(measures, amounts=amounts)
+
+    def _seen_in(self, fields: Fields) -> tuple[Sighting, ...] | None:
+        if "seen_in" not in fields:
+            return None
+        seen_in = tuple(map(sighting_from_json, fields.nested_list("seen_in")))
+        for seen in seen_in:
+            _printable(seen.video + (seen.source or ""), f"{fields.where}: seen_in")
+        return seen_in
 
     def _timing(self, fields: Fields) -> Timing:
         _remark_unknown(fields, _TIMING_FIELDS, self._line, self._journal)

@@ -8,7 +8,7 @@ from foon_kg.loaders.json_reader import read_json
 from foon_kg.model import Annotation, Participant, Subgraph
 from foon_kg.model.errors import FormatError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.node_json import measures_to_json, node_to_json
+from foon_kg.model.node_json import measures_to_json, node_to_json, sighting_to_json
 
 
 def write_json(subgraph: Subgraph) -> str:
@@ -29,13 +29,18 @@ def write_json(subgraph: Subgraph) -> str:
 def annotation_to_json(annotation: Annotation) -> JsonObject:
     """Return one unit with its time (``annotation``) as an object of JSON."""
     unit, timing = annotation.unit, annotation.timing
-    return {
+    told: JsonObject = {
         "input_nodes": [_participant_to_json(one) for one in unit.inputs],
         "motion_node": unit.motion,
         "accepts_any": unit.accepts_any,
         "output_nodes": [_participant_to_json(one) for one in unit.outputs],
         "timing": {"spans": [list(span) for span in timing.spans], "assumed": timing.assumed},
-    } | ({"measures": measures_to_json(annotation.measures)} if annotation.measures else {})
+    }
+    if annotation.measures:
+        told["measures"] = measures_to_json(annotation.measures)
+    if annotation.seen_in is not None:
+        told["seen_in"] = [sighting_to_json(seen) for seen in annotation.seen_in]
+    return told
 
 
 def _participant_to_json(participant: Participant) -> JsonObject:

@@ -11,13 +11,15 @@ from collections import Counter
 from dataclasses import dataclass
 
 from foon_kg.loaders.notices import NoticeKind, Problem, Remark
-from foon_kg.model import DISH_TYPES
+from foon_kg.loaders.times import is_time
+from foon_kg.model import DISH_TYPES, Sighting
 
 RELATIONS = frozenset({"attached", "attached to", "below", "from", "in", "on", "over", "under", "with"})
 """Words that only ever say where something is; beside braces they still do."""
 
 _WITH_COLUMNS = re.compile(r"([OSM])[0-9]*\t(.*)", re.DOTALL)
 _SOURCE = re.compile(r"#\s*source:(.*)", re.IGNORECASE | re.DOTALL)
+_SEEN_IN = re.compile(r"#\s*seen in:(\t.*)?", re.IGNORECASE | re.DOTALL)
 _TAB_MISSING = re.compile(r"([^\[{]*)([\[{].*)")
 _PLACE = re.compile(r"\[([^\[\]{}]*)\]")
 _NAMES = re.compile(r"\{([^\[\]{}]*)\}")
@@ -64,13 +66,20 @@ class SourceLine:
 
 
 @dataclass(frozen=True)
+class SeenLine:
+    """``# Seen in:<TAB>video<TAB>unit<TAB>start<TAB>end<TAB>address``: where a step of a task tree was seen."""
+
+    seen_in: tuple[Sighting, ...]
+
+
+@dataclass(frozen=True)
 class Separator:
     """``//``, the line between two units."""
 
     remarks: tuple[Remark, ...] = ()
 
 
-Line = ObjectLine | StateLine | MotionLine | SourceLine | Separator | Problem | None
+Line = ObjectLine | StateLine | MotionLine | SourceLine | SeenLine | Separator | Problem | None
 """What a line says; ``None`` for comments and blank lines, which say nothing."""
 
 
@@ -89,10 +98,25 @@ def read_line(text: str) -> Line:
         return Separator(_extra_columns([beside], "text beside a separator"))
     if source := _SOURCE.fullmatch(text):
         return SourceLine(fold(source[1]))
+    if seen := _SEEN_IN.fullmatch(text):
+        return _seen_line((seen[1] or "").split("\t")[1:])
     if text.startswith("#") or not text.strip():
         return None
     shown = text if len(text) <= _SHOWN else text[:_SHOWN] + "…"
     return Problem(NoticeKind.UNKNOWN_LINE, f"no line of a FOON (columns are separated by tabs): {shown!r}")
+
+
+def _seen_line(columns: list[str]) -> SeenLine | None:
+    """Return what the ``columns``, unfolded, say of one sighting, or of none; ``None`` for other words."""
+    if not columns:
+        return SeenLine(())
+    try:
+        video, position, start, end, source = columns
+        began, ended = (float(time) if time else None for time in (start, end))
+        seen = Sighting(video, int(position), source or None, began, ended)
+    except ValueError:
+        return None
+    return SeenLine((seen,)) if all(time is None or is_time(time) for time in (began, ended)) else None
 
 
 def _extra_columns(columns: list[str], what: str) -> tuple[Remark, ...]:

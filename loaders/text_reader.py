@@ -12,13 +12,14 @@ from foon_kg.loaders.text_lines import (
     MotionLine,
     ObjectLine,
     Place,
+    SeenLine,
     Separator,
     SourceLine,
     StateLine,
     read_line,
 )
 from foon_kg.loaders.times import counts_hours, read_timing
-from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant
+from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Sighting
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
 
@@ -75,7 +76,7 @@ class TextReader:
             tuple(self._participant(one, journal) for one in draft.outputs),
             draft.motion.accepts_any,
         )
-        return Annotation(unit, timing)
+        return Annotation(unit, timing, seen_in=draft.seen_in)
 
     def _participant(self, draft: _ObjectDraft, journal: Journal) -> Participant:
         key = (draft.head.label, *draft.states)
@@ -112,7 +113,7 @@ class _UnitDraft:
     """The lines between two separators.
 
     ``motion_at`` is the line of the motion, 0 before there is one; ``problem`` is the first line that spoils the unit,
-    and why.
+    and why; ``seen_in`` is where a step of a task tree was seen, ``None`` where nothing is said of that.
     """
 
     inputs: list[_ObjectDraft] = field(default_factory=list)
@@ -122,6 +123,7 @@ class _UnitDraft:
     remarks: list[tuple[int, Remark]] = field(default_factory=list)
     problem: tuple[int, Problem] | None = None
     last_line: int = 0
+    seen_in: tuple[Sighting, ...] | None = None
 
     def take(self, number: int, line: ObjectLine | StateLine | MotionLine | Problem) -> None:
         objects = self.outputs if self.motion_at else self.inputs
@@ -172,23 +174,31 @@ def _drafts(lines: list[Line], journal: Journal) -> list[_UnitDraft]:
     """Return the units of a file; what is odd about its separators goes into the journal."""
     drafts: list[_UnitDraft] = []
     draft: _UnitDraft | None = None
+    seen_in: tuple[Sighting, ...] | None = None
     after_separator = False
     for number, line in enumerate(lines, 1):
         if isinstance(line, Separator):
-            for remark in line.remarks:
-                journal.remark(number, remark)
-            if draft is not None:
-                draft.last_line = number
-            elif after_separator:
-                journal.remark(number, _EMPTY_UNIT)
-            draft, after_separator = None, True
+            _end(draft, number, line, journal, after_separator=after_separator)
+            draft, seen_in, after_separator = None, None, True
+        elif isinstance(line, SeenLine):
+            seen_in = (seen_in or ()) + line.seen_in
         elif line is not None and not isinstance(line, SourceLine):
             if draft is None:
                 draft = _UnitDraft()
                 drafts.append(draft)
             draft.take(number, line)
-            draft.last_line = number
+            draft.last_line, draft.seen_in = number, seen_in
     return drafts
+
+
+def _end(draft: _UnitDraft | None, number: int, line: Separator, journal: Journal, *, after_separator: bool) -> None:
+    """End a unit, if there is a ``draft`` of one, at the separator in the line with this ``number``."""
+    for remark in line.remarks:
+        journal.remark(number, remark)
+    if draft is not None:
+        draft.last_line = number
+    elif after_separator:
+        journal.remark(number, _EMPTY_UNIT)
 
 
 def _node(label: str, lines: list[StateLine]) -> tuple[ObjectNode, Remark | None]:

@@ -5,6 +5,8 @@ One way to write each thing: an object's states in alphabetical order, then ``co
 a known relation has an empty second column (``S<TAB><TAB>[bowl]``), and an object that keeps places as states only ends
 with the empty place ``S<TAB><TAB>[]``.
 
+The file of a task tree is no video: comments before each step name the places where it was seen.
+
 The format has no way to escape anything. Names with tabs, line ends, double blanks, or with brackets and commas
 where the format reads those, cannot be written; nor can times that are none.
 """
@@ -12,12 +14,12 @@ where the format reads those, cannot be written; nor can times that are none.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from foon_kg.loaders.text_reader import read_text
 from foon_kg.loaders.times import write_timing
-from foon_kg.model import DISH_TYPES, UNMEASURED, Annotation, ObjectNode, Participant, Subgraph
+from foon_kg.model import DISH_TYPES, UNMEASURED, Annotation, ObjectNode, Participant, Sighting, Subgraph
 from foon_kg.model.errors import FormatError
 
 _PLACE_AS_STATE = re.compile(r"([^\[{]*?) ?(\[[^\[\]{}]*\])")
@@ -50,12 +52,22 @@ def _text(subgraph: Subgraph) -> str:
 
 def _unit_lines(annotation: Annotation) -> Iterator[str]:
     unit = annotation.unit
+    yield from _seen_lines(annotation.seen_in)
     for participant in unit.inputs:
         yield from _object_lines(participant)
     motion = ["M", unit.motion + ("*" if unit.accepts_any else ""), write_timing(annotation.timing)]
     yield "\t".join(motion if motion[-1] else motion[:-1])
     for participant in unit.outputs:
         yield from _object_lines(participant)
+
+
+def _seen_lines(seen_in: Sequence[Sighting] | None) -> Iterator[str]:
+    """Yield where a step of a task tree was seen; a step that was seen nowhere says so."""
+    for seen in seen_in or ():
+        times = ("" if time is None else repr(time) for time in (seen.start, seen.end))
+        yield "\t".join(("# Seen in:", seen.video, str(seen.position), *times, seen.source or ""))
+    if seen_in is not None and not seen_in:
+        yield "# Seen in:"
 
 
 def _object_lines(participant: Participant) -> Iterator[str]:

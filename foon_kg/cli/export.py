@@ -42,7 +42,8 @@ Tree = Annotated[
     Path | None,
     typer.Argument(
         metavar="FILE",
-        help="Task trees: plan results (JSON, JSON Lines), FOON text or FOON JSON; - is standard input. "
+        help="Task trees: answers of foon plan and foon retrieve (JSON, JSON Lines), FOON text or FOON JSON; - is "
+        "standard input. "
         "Without one the whole FOON is exported.",
     ),
 ]
@@ -99,8 +100,9 @@ def export(
     GraphML, behaviour trees (success rates) and CSV (costs) have the weights of motions, too: those of the graph, or of
     --weights, which a tree needs.
 
-    The JSON of a plan does not say which motions take any number of foods, nor what moves: where that matters,
-    export "foon plan --foon".
+    A plan does not say what moves; a retrieved tree (foon retrieve, --json or --foon) does. FOON text keeps where each
+    step was seen, and which motions take any number of foods, which the JSON of a plan does not; it has no numbers of
+    things: export a plan's JSON for a behaviour tree with conditions, and for PDDL in which things are used up.
     """  # noqa: D301 - click wants the character itself before lines that it must not join
     say = sayer(quiet=quiet)
     if as_json and form not in {None, "json"}:

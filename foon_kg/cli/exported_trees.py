@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from foon_kg.cli.console import Say
-from foon_kg.cli.tree_files import json_values, text_of
+from foon_kg.cli.tree_files import is_retrieved, json_values, text_of
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.loaders import ReadResult, read_json, read_text
 from foon_kg.model import RequiredIngredient
@@ -18,6 +18,7 @@ from foon_kg.model.names import canonical
 from foon_kg.planning.recipes import amount_said
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
+from foon_kg.search.classic import RetrievalResult
 
 
 def read_exported_trees(path: Path, say: Say) -> list[ExportedTree]:
@@ -37,7 +38,7 @@ def read_exported_trees(path: Path, say: Say) -> list[ExportedTree]:
 
 
 def _is_subgraph(value: object) -> bool:
-    return isinstance(value, list) or (isinstance(value, dict) and "recipe" not in value)
+    return isinstance(value, list) or (isinstance(value, dict) and not value.keys() & {"recipe", "asked", "error"})
 
 
 def _of_file(path: Path, read: ReadResult, say: Say) -> ExportedTree:
@@ -55,6 +56,8 @@ def _of_plans(path: Path, values: list[tuple[int, object]], say: Say) -> Iterato
         if isinstance(value, dict) and "error" in value:
             failed = f"{where}: no tree: {Fields(value, where).nested('error').text('message')}"
             say(failed)
+        elif is_retrieved(value):
+            yield ExportedTree.of_retrieved(RetrievalResult.from_json(value, where))
         else:
             yield ExportedTree.of_plan(PlanResult.from_json(value, where))
     if failed and len(values) == 1:

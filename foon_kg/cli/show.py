@@ -33,7 +33,10 @@ FORMS = ("svg", "png", "html", "json")
 
 def show(
     result: Annotated[
-        Path, typer.Argument(metavar="RESULT", help="A plan result (JSON) or FOON text; - is standard input.")
+        Path,
+        typer.Argument(
+            metavar="RESULT", help="A result of foon plan or foon retrieve (JSON), or FOON text; - is standard input."
+        ),
     ],
     *,
     form: Annotated[
@@ -176,12 +179,19 @@ def _of_text(text: str, path: Path) -> ShownTree:
 
 
 def _of_json(value: object, where: str) -> ShownTree:
+    from foon_kg.cli.tree_files import is_retrieved
     from foon_kg.formats.views.shown_tree import ShownTree
-    from foon_kg.plans.result import PlanFailure, PlanResult
+    from foon_kg.model.json_fields import Fields
+    from foon_kg.plans.result import PlanResult
+    from foon_kg.search.classic import RetrievalResult
 
     if isinstance(value, dict) and "error" in value:
-        failure = PlanFailure.from_json(value, where)
-        raise NoTreeError(f"{where}: {failure.message}", hint=failure.hint, code=failure.code)
+        error = Fields(value, where).nested("error")
+        hint = error.optional_text("hint") or ""
+        raise NoTreeError(f"{where}: {error.text('message')}", hint=hint, code=error.text("code"))
+    if is_retrieved(value):
+        retrieved = RetrievalResult.from_json(value, where)
+        return ShownTree.of_subgraph(retrieved.to_subgraph(), retrieved.goal)
     result = PlanResult.from_json(value, where)
     if not result.units:
         raise ReadError(f"{where}: a result without units is no task tree", hint="Plan the recipe again.")

@@ -116,6 +116,11 @@ def json_values(file: Path, text: str) -> Iterator[tuple[int, object]]:
         place = _after_space(text, end)
 
 
+def is_retrieved(value: object) -> bool:
+    """Whether a JSON ``value`` is what ``foon retrieve --json`` prints: asked for a goal and not for a recipe."""
+    return isinstance(value, dict) and "asked" in value
+
+
 def _after_space(text: str, place: int) -> int:
     while place < len(text) and text[place].isspace():
         place += 1

@@ -22,6 +22,8 @@ from foon_kg.model.nodes import (
     Timing,
     content_key,
     shared_node,
+    sightings_of,
+    steps_of,
 )
 
 __all__ = [
@@ -43,4 +45,6 @@ __all__ = [
     "Timing",
     "content_key",
     "shared_node",
+    "sightings_of",
+    "steps_of",
 ]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import NamedTuple
@@ -196,11 +196,15 @@ UNMEASURED = Measures()
 
 @dataclass(frozen=True)
 class Annotation:
-    """One functional unit at its place in one video, with what is said there of its measures."""
+    """One functional unit at its place in one video, with what is said there of its measures.
+
+    The file of a task tree is no video: in it ``seen_in`` says where each step was seen. ``None`` is a video's own.
+    """
 
     unit: FunctionalUnit
     timing: Timing = Timing()
     measures: Measures = UNMEASURED
+    seen_in: tuple[Sighting, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -247,6 +251,21 @@ class KnownUnit:
 
     unit: FunctionalUnit
     seen_in: tuple[Sighting, ...]
+
+
+def sightings_of(subgraph: Subgraph) -> Iterator[tuple[FunctionalUnit, Sighting]]:
+    """Yield each unit of ``subgraph`` in its order, with its place; the first source stands for the video."""
+    source = subgraph.sources[0] if subgraph.sources else None
+    for position, annotation in enumerate(subgraph.annotations):
+        start, end = annotation.timing.start, annotation.timing.end
+        yield annotation.unit, Sighting(subgraph.name, position, source, start, end, annotation.measures)
+
+
+def steps_of(subgraph: Subgraph) -> Iterator[KnownUnit]:
+    """Yield each unit of ``subgraph`` in its order, seen where it says so: in a task tree's file no unit was seen."""
+    is_tree = any(annotation.seen_in is not None for annotation in subgraph.annotations)
+    for annotation, (unit, sighting) in zip(subgraph.annotations, sightings_of(subgraph), strict=True):
+        yield KnownUnit(unit, (annotation.seen_in or ()) if is_tree else (sighting,))
 
 
 @dataclass(frozen=True)

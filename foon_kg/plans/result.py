@@ -138,7 +138,7 @@ class PlanResult:
     def to_subgraph(self) -> Subgraph:
         """Return the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
         marked = zip(self._units_with_goal(), self.units, strict=True)
-        measured = tuple(Annotation(unit, measures=told.measures) for unit, told in marked)
+        measured = tuple(Annotation(unit, measures=told.measures, seen_in=told.sightings) for unit, told in marked)
         name = self.recipe.id or self.recipe.title or self.recipe.dish_type
         return Subgraph(name, measured, self._sources())
 

@@ -15,7 +15,7 @@ from foon_kg.integration.methods import Methods
 from foon_kg.integration.teaching.derivation import frames_of
 from foon_kg.integration.teaching.frames import Frame
 from foon_kg.integration.teaching.operators import Operators
-from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Participant, Sighting, Subgraph
+from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Participant, Sighting, Subgraph, sightings_of
 from foon_kg.model.errors import ReadError
 from foon_kg.model.knowledge import KnowledgeView, LikelyGoals, Neighbour, Vocabulary
 from foon_kg.plans.kitchen import Kitchen
@@ -235,14 +235,6 @@ def in_plain_order(known: KnownUnit) -> KnownUnit:
 
 def _sorted(nodes: Iterable[ObjectNode]) -> tuple[Participant, ...]:
     return tuple(Participant(node) for node in sorted(nodes, key=lambda node: node.sort_key))
-
-
-def sightings_of(subgraph: Subgraph) -> Iterator[tuple[FunctionalUnit, Sighting]]:
-    """Yield each unit of ``subgraph`` in its order, with its place; the first source stands for the video."""
-    source = subgraph.sources[0] if subgraph.sources else None
-    for position, annotation in enumerate(subgraph.annotations):
-        start, end = annotation.timing.start, annotation.timing.end
-        yield annotation.unit, Sighting(subgraph.name, position, source, start, end, annotation.measures)
 
 
 def _known_units(subgraphs: Iterable[Subgraph]) -> Iterator[KnownUnit]:

@@ -83,6 +83,7 @@ def test_an_action_says_what_it_needs_what_it_makes_and_where_it_was_seen():
         "outputs": "tomato (diced) [on: cutting board]",
         "moving": "",
         "video": "greek",
+        "unit": "1",
     }
 
 

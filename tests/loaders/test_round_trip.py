@@ -9,7 +9,17 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from foon_kg.loaders import NoticeKind, Severity, read_json, read_text, write_json, write_text
-from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, Measures, ObjectNode, Participant, Subgraph, Timing
+from foon_kg.model import (
+    DISH_TYPES,
+    Annotation,
+    FunctionalUnit,
+    Measures,
+    ObjectNode,
+    Participant,
+    Sighting,
+    Subgraph,
+    Timing,
+)
 from foon_kg.model.errors import FormatError
 
 unhurried = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -33,7 +43,10 @@ def subgraphs(
     side = st.lists(participants, min_size=1, max_size=2).map(tuple)
     units = st.builds(FunctionalUnit, side, motions, side, st.booleans())
     times = st.builds(Timing, st.lists(st.tuples(seconds, seconds), max_size=3).map(tuple), st.booleans())
-    annotations = st.lists(st.builds(Annotation, units, times), min_size=1, max_size=2).map(tuple)
+    seen = st.builds(Sighting, names, st.integers(0, 99), names | st.none(), seconds | st.none(), seconds | st.none())
+    seen_in = st.none() | st.lists(seen, max_size=2).map(tuple)
+    noted = st.builds(Annotation, units, times, seen_in=seen_in)
+    annotations = st.lists(noted, min_size=1, max_size=2).map(tuple)
     return st.builds(Subgraph, st.just("video"), annotations, few)
 
 

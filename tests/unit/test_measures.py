@@ -10,14 +10,22 @@ from hypothesis import strategies as st
 
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.loaders.muhai import read_muhai_text
-from foon_kg.model import UNMEASURED, AskedAmount, KnownUnit, Measures, ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model import (
+    UNMEASURED,
+    AskedAmount,
+    KnownUnit,
+    Measures,
+    ObjectNode,
+    Recipe,
+    RequiredIngredient,
+    sightings_of,
+)
 from foon_kg.model.collected import CalledFor
 from foon_kg.model.json_fields import Fields
 from foon_kg.model.tree import Mention, Step, TreeUnit
 from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.measures import amounts_asked, measured_words, with_asked, with_measures
-from foon_kg.store.snapshot import sightings_of
 
 BREAD = """(defparameter *recipe* '((get-kitchen ?k)
  (fetch-and-proportion ?butter ?k1 ?k ?c1 butter 60 g)

@@ -19,7 +19,7 @@ from foon_kg.formats.exports.markup import xml_document, xml_text
 from foon_kg.formats.exports.notation import node_text
 from foon_kg.formats.exports.pddl_names import slug
 from foon_kg.formats.exports.pddl_things import has_numbers
-from foon_kg.formats.exports.tree import ExportedTree
+from foon_kg.formats.exports.tree import ExportedTree, best_sighting
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.model.tree import TreeUnit
 
@@ -37,7 +37,9 @@ _PORTS = {
     "moving": (_TEXTS, "those of them that move while it is done"),
     "input_things": ("std::vector<int>", "the numbers of the things that the inputs are"),
     "output_things": ("std::vector<int>", "the numbers of the things that the outputs are"),
-    "video": ("std::string", "where it was seen: a video or its address"),
+    "video": ("std::string", "the video in which it was seen"),
+    "unit": ("int", "which unit of that video it is, from 0"),
+    "address": ("std::string", "the address of that video"),
     "start": ("double", "the second of the video in which it begins"),
     "end": ("double", "the second of the video in which it ends"),
     "success_rate": ("double", "how likely it succeeds, from 0 to 1"),
@@ -92,9 +94,11 @@ def _attributes(place: int, known: KnownUnit, names: dict[str, str]) -> dict[str
         "outputs": _listed(unit.output_nodes),
         "moving": _listed(moving),
     }
-    if known.seen_in:
-        seen = known.seen_in[0]
-        attributes["video"] = _literal(seen.source or seen.video)
+    seen = best_sighting(known)
+    if seen is not None:
+        attributes |= {"video": _literal(seen.video), "unit": str(seen.position)}
+        if seen.source:
+            attributes["address"] = _literal(seen.source)
         if seen.start is not None and seen.end is not None:
             attributes |= {"start": f"{seen.start:g}", "end": f"{seen.end:g}"}
     return attributes

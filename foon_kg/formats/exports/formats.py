@@ -53,11 +53,12 @@ def export_tree(
     """Return a task tree in the format called ``form``; its files are called after the tree.
 
     ``amounts`` say how much of each food was asked. ``costs`` give the motions in GraphML and behaviour trees their
-    success rates.
+    success rates; without any, a retrieved tree has those with which it was found.
 
     Raises :class:`~foon_kg.model.errors.UsageError` for a format that is for whole FOONs only, and
     :class:`~foon_kg.model.errors.FormatError` where the format cannot say what is in the tree.
     """
+    costs = costs or tree.costs
     if form == "pddl":
         return pddl_files(tree.name, tree_to_pddl(tree))
     return (ExportFile(file_name(tree.name) + _ending(form), _tree_text(tree, form, amounts, costs)),)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from urllib.parse import quote
 
 from foon_kg.formats.exports.sentences import sentence
-from foon_kg.formats.exports.tree import ExportedTree
+from foon_kg.formats.exports.tree import ExportedTree, best_sighting
 from foon_kg.formats.substitution import handled
 from foon_kg.formats.video_address import is_web_address, video_address
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting
@@ -58,7 +58,8 @@ def _utensils(tree: ExportedTree, kitchen: Kitchen) -> Iterator[str]:
 
 def _steps(tree: ExportedTree, kitchen: Kitchen) -> Iterator[str]:
     for number, (known, annotation) in enumerate(zip(tree.units, tree.subgraph.annotations, strict=True), 1):
-        shown = f" {_link(known.seen_in[0])}" if known.seen_in else ""
+        seen = best_sighting(known)
+        shown = f" {_link(seen)}" if seen is not None else ""
         yield f"{number}. {_plain(sentence(known.unit, kitchen, annotation.measures))}{shown}"
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Self
 
 from foon_kg.formats.views.lives import lives
-from foon_kg.model import ObjectNode, RequiredIngredient, Sighting, Subgraph
+from foon_kg.model import ObjectNode, RequiredIngredient, Subgraph, steps_of
 from foon_kg.model.claims import Substitution
 from foon_kg.model.tree import TreeUnit, leaves_of
 from foon_kg.plans.kitchen import Kitchen
@@ -37,24 +37,18 @@ class ShownTree:
         return cls(title, result.units, result.goal, result.kitchen, _named_lines(result), result)
 
     @classmethod
-    def of_subgraph(cls, subgraph: Subgraph) -> Self:
+    def of_subgraph(cls, subgraph: Subgraph, goal: ObjectNode | None = None) -> Self:
         """Return the tree of a ``subgraph``, to look at.
 
-        Its goal is the last output that is marked as one, else the first of the last unit.
+        Unless the ``goal`` is known, it is the last output that is marked as one, else the first of the last unit.
         """
-        source = subgraph.sources[0] if subgraph.sources else None
         units = tuple(
-            replace(
-                TreeUnit.of(
-                    note.unit, "foon", (Sighting(subgraph.name, i, source, note.timing.start, note.timing.end),)
-                ),
-                measures=note.measures,
-            )
-            for i, note in enumerate(subgraph.annotations)
+            replace(TreeUnit.of(step.unit, "foon", step.seen_in), measures=note.measures)
+            for note, step in zip(subgraph.annotations, steps_of(subgraph), strict=True)
         )
         outputs = [one for note in subgraph.annotations for one in note.unit.outputs]
         marked = [one.node for one in outputs if one.dish_type is not None]
-        goal = marked[-1] if marked else subgraph.annotations[-1].unit.output_nodes[0]
+        goal = goal or (marked[-1] if marked else subgraph.annotations[-1].unit.output_nodes[0])
         leaves = leaves_of(units)
         return cls(subgraph.name, units, goal, leaves, _lines_of_leaves(units, goal, leaves))
 

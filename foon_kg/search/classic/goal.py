@@ -6,11 +6,11 @@ import difflib
 from collections.abc import Collection
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Protocol
+from typing import Protocol, Self
 
 from foon_kg.model import KnownUnit, ObjectNode
-from foon_kg.model.errors import NoTreeError, UsageError
-from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.errors import NoTreeError, ReadError, UsageError
+from foon_kg.model.json_fields import Fields, JsonObject
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.levels import Level
 
@@ -95,6 +95,21 @@ class GoalSought:
 
     def __str__(self) -> str:
         return str(ObjectNode(self.label, self.states, self.ingredients, None, self.container))
+
+    @classmethod
+    def from_json(cls, fields: Fields) -> Self:
+        """Return what was asked from the ``fields`` that :meth:`to_json` wrote; raises ReadError for another level."""
+        level, by = fields.whole_number("level"), fields.one_of("by", tuple(map(str, Criterion)))
+        if level not in list(Level):
+            raise ReadError(f"{fields.where}: a FOON has no level {level}", hint="The levels are 1, 2 and 3.")
+        return cls(
+            fields.text("label"),
+            tuple(fields.texts("states")),
+            tuple(fields.texts("ingredients")),
+            fields.optional_text("container"),
+            Level(level),
+            Criterion(by),
+        )
 
     def to_json(self) -> JsonObject:
         """Return the ``asked`` field of a result."""

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Self
 
+from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.model import Annotation, FunctionalUnit, KnownUnit, ObjectNode, Participant, Subgraph
-from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.node_json import node_to_json
+from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.node_json import node_from_json, node_to_json, sighting_from_json
 from foon_kg.model.tree import TreeUnit, leaves_of
 from foon_kg.model.tree_json import unit_to_json
 from foon_kg.search.classic.goal import GoalSought
@@ -23,8 +25,23 @@ class RetrievedUnit:
 
     def to_json(self) -> JsonObject:
         """Return one of the ``units`` of a result."""
-        unit = unit_to_json(TreeUnit.of(self.known.unit, "foon", self.known.seen_in))
+        told = TreeUnit.of(self.known.unit, "foon", self.known.seen_in)
+        unit = unit_to_json(told) | {"accepts_any": told.accepts_any}
+        for side, nodes in (("input_nodes", told.input_nodes), ("output_nodes", told.output_nodes)):
+            unit[side] = [node_to_json(node) | {"moving": node in told.moving} for node in nodes]
         return {**unit, "success": None if self.success is None else float(self.success)}
+
+    @classmethod
+    def from_json(cls, fields: Fields) -> Self:
+        """Return the step of the ``fields`` that :meth:`to_json` wrote."""
+        sides = (
+            tuple(Participant(node_from_json(one), one.truth("moving")) for one in fields.nested_list(side))
+            for side in ("input_nodes", "output_nodes")
+        )
+        inputs, outputs = sides
+        unit = FunctionalUnit(inputs, fields.text("motion_node"), outputs, fields.truth("accepts_any"))
+        seen_in = tuple(map(sighting_from_json, fields.nested_list("seen_in")))
+        return cls(KnownUnit(unit, seen_in), _rate(fields.optional_number("success")))
 
 
 @dataclass(frozen=True)
@@ -49,6 +66,12 @@ class RetrievalResult:
         return math.prod(rates, start=Fraction(1)) if len(rates) == len(self.units) else None
 
     @property
+    def costs(self) -> MotionCosts:
+        """The weights of its motions, as far as they are known."""
+        rates = {step.known.unit.motion: step.success for step in self.units if step.success is not None}
+        return MotionCosts({motion: float(1 - rate) for motion, rate in rates.items() if motion not in self.assumed})
+
+    @property
     def kitchen(self) -> tuple[ObjectNode, ...]:
         """What has to be there before the first step, in the order of first use."""
         return leaves_of(step.known.unit for step in self.units)
@@ -70,15 +93,36 @@ class RetrievalResult:
             "assumptions": [],
         }
 
+    @classmethod
+    def from_json(cls, value: object, where: str = "tree") -> Self:
+        """Return the result of a ``value`` that :meth:`to_json` wrote; raises ReadError for any other.
+
+        ``where`` names the document in messages.
+        """
+        fields = Fields(value, where)
+        return cls(
+            GoalSought.from_json(fields.nested("asked")),
+            node_from_json(fields.nested("goal")),
+            tuple(map(RetrievedUnit.from_json, fields.nested_list("units"))),
+            fields.truth("exact"),
+            tuple(fields.texts("assumed_weights")),
+            fields.optional_number("bound"),
+        )
+
     def to_subgraph(self) -> Subgraph:
         """Return the tree as a subgraph, for FOON text: no other end product than the goal is marked in it."""
         last = len(self.units) - 1
         units = [
-            _marked(step.known.unit, self.goal if place == last else None) for place, step in enumerate(self.units)
+            Annotation(_marked(step.known.unit, self.goal if place == last else None), seen_in=step.known.seen_in)
+            for place, step in enumerate(self.units)
         ]
         sightings = (sighting for step in self.units for sighting in step.known.seen_in)
         sources = tuple(dict.fromkeys(sighting.source for sighting in sightings if sighting.source))
-        return Subgraph(self.goal.label, tuple(map(Annotation, units)), sources)
+        return Subgraph(self.goal.label, tuple(units), sources)
+
+
+def _rate(number: float | None) -> Fraction | None:
+    return None if number is None else Fraction(str(number))
 
 
 def _marked(unit: FunctionalUnit, goal: ObjectNode | None) -> FunctionalUnit:

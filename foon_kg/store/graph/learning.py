@@ -9,14 +9,13 @@ from itertools import chain
 from typing import Any
 
 from foon_kg.integration.teaching.operators import MOST_SIGHTINGS
-from foon_kg.model import FunctionalUnit, Subgraph
+from foon_kg.model import FunctionalUnit, Subgraph, sightings_of
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.frame_rows import Joins, frame_of, slot_foods
 from foon_kg.store.graph.lifting import Lifted, Tally, is_food, lifted, matter_rows
 from foon_kg.store.graph.method_rows import SightingValue
 from foon_kg.store.graph.statements import Ask
 from foon_kg.store.graph.taught import Taught
-from foon_kg.store.snapshot import sightings_of
 
 Pair = tuple[str, str]
 """The key of an operator, and a matter to which it is done."""
