@@ -26,6 +26,7 @@ ALLOWED = {
     "planning.recipes": None,  # files and lines of recipes as questions
     "planning.processes": None,  # how processes begin and end: nothing of a FOON
     "store.vocabulary": {"states_made"},
+    "search.classic": {"RetrievalResult"},  # what Foon.retrieve returns: its file is read back
     "store.graph.free_cypher": {"Answer"},  # what Foon.cypher returns
     "validation": None,  # the judge: it knows nothing of planning, and is asked of trees of anybody
 }
