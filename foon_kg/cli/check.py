@@ -17,7 +17,7 @@ from foon_kg.model.errors import UsageError
 if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
     from foon_kg.foon import Foon
-    from foon_kg.model import ObjectNode, Recipe
+    from foon_kg.model import Recipe
     from foon_kg.model.json_fields import JsonObject
     from foon_kg.model.tree import TaskTree
     from foon_kg.plans.kitchen import Kitchen
@@ -138,23 +138,7 @@ def _report(tree: TaskTree, foon: KnownFoon, kitchen: Kitchen) -> Report:
 
 
 def _at_hand_so(finding: Finding, kitchen: Kitchen) -> bool:
-    from foon_kg.plans.stock import StockedKitchen
-
-    if finding.rule != "C6" or finding.step is None or not isinstance(kitchen, StockedKitchen):
-        return False
-    named = [*(kitchen.utensils_named or ()), *(kitchen.foods_named or ())]
-    return any(_is_as_named(node, thing) for node in finding.nodes for thing in named)
-
-
-def _is_as_named(node: ObjectNode, thing: ObjectNode) -> bool:
-    from foon_kg.food import singular
-
-    return (
-        singular(node.label) == singular(thing.label)
-        and bool(thing.states or thing.container)
-        and set(node.states) <= set(thing.states)
-        and (thing.container is None or node.container in {None, thing.container})
-    )
+    return finding.rule == "C6" and finding.step is not None and any(map(kitchen.names_so, finding.nodes))
 
 
 def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report]) -> Iterator[Report]:

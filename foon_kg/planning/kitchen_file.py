@@ -1,9 +1,10 @@
 """``--kitchen FILE``: what is at hand, as people write it down.
 
 Plain text, one thing a line (``onion`` · ``onion, chopped`` · ``chopped onion`` · ``egg in carton`` · ``knife`` ·
-``oven, preheated``; ``#`` begins a comment), or JSON: a list of such texts, of object nodes as a plan result has them,
-or of recipe ingredients; or ``{"utensils": […], "foods": […]}`` with one of the two or both. What that means is said
-in :mod:`foon_kg.plans.stock`. Nothing is decided silently: what was not understood as it stands comes with a note.
+``onion, chopped on cutting board`` · ``pot {rice}`` · ``oven, preheated``; ``#`` begins a comment), or JSON: a list of
+such texts, of object nodes as a plan result has them, or of recipe ingredients; or ``{"utensils": […], "foods": […]}``
+with one of the two or both. What that means is said in :mod:`foon_kg.plans.stock`. Nothing is decided silently: what
+was not understood as it stands comes with a note.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ from foon_kg.similarity import food_similarity
 _PLACED = re.compile(
     r"^(?P<thing>.+?),?\s+(?P<relation>in|on|under)\s+(?:(?:an?|the)\s+)?(?P<place>[^,]+)$", re.IGNORECASE
 )
+_FILLED = re.compile(r"^(?P<vessel>[^{}]+?)\s*\{(?P<foods>[^{}]+)\}(?P<rest>.*)$")
 _BULLET = re.compile(r"^[-*•]\s+")
 _CLOSE = 3
 """How many names are proposed for one that the FOON does not know."""
@@ -111,6 +113,11 @@ class ThingReader:
         return thing, tuple(f"{entry.where}: {note}" for note in notes)
 
     def _spoken(self, text: str) -> tuple[ObjectNode, list[str]]:
+        filled = _FILLED.match(text)
+        if filled is not None:
+            thing, notes = self._spoken(f"{filled['vessel']}{filled['rest']}")
+            names = filter(None, (name.strip() for name in filled["foods"].split(",")))
+            return replace(thing, ingredients=tuple(self.words.label(name) for name in names)), notes
         placed = _PLACED.match(text)
         place = self._utensil(placed["place"]) if placed else None
         if placed is None or place is None:

@@ -198,7 +198,7 @@ class PlannedRecipe:
         if not wants:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
         self.kitchen = planner.kitchen_for([want.label for want in wants])
-        self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in wants) if ready else tuple(wants)
+        self.wants = tuple(as_there(want, self.kitchen) for want in wants) if ready else tuple(wants)
         taught = self.methods.outlines.taught(recipe.dish_type, self.known)
         whole = Asked(self.wants, recipe.dish_type, title, self.known)
         made = apart(self.wants, recipe, whole.dishes, taught, self.known, baked=whole.baked)
@@ -349,9 +349,8 @@ class PlannedRecipe:
         return found
 
     def _is_at_hand_so(self, finding: Finding) -> bool:
-        """Whether a food is found to be taken in a state in which a person said that it is there."""
-        ready = self.kitchen.stands_ready
-        return finding.rule == "C6" and any(ready(node.label, s) for node in finding.nodes for s in node.states)
+        """Whether a leaf is found to be taken as a person said that it is there."""
+        return finding.rule == "C6" and any(map(self.kitchen.names_so, finding.nodes))
 
     def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:
         """Return the leaves that are not in the kitchen that a person named, nearest to the goal first."""

@@ -101,6 +101,18 @@ class Kitchen:
         """
         return None
 
+    def lies_in(self, _food: str, _states: Collection[str]) -> str | None:
+        """Return the vessel in which a person named a food, and not free: out of that it is taken."""
+        return None
+
+    def names_so(self, _: ObjectNode) -> bool:
+        """Whether a person said of a thing that it is so: in which state, where, or with which contents."""
+        return False
+
+    def otherwise(self, _: ObjectNode) -> tuple[ObjectNode, ...]:
+        """Return the things at hand that are called like a missing one, and are otherwise."""
+        return ()
+
     def is_utensil(self, label: str) -> bool:
         """Whether ``label`` names a utensil, device, wrap or place; everything else is food."""
         return singular(label) in self.utensils

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Sequence
 
+from foon_kg.food import singular
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import NoTreeError
 from foon_kg.model.knowledge import FAIR
@@ -43,7 +44,7 @@ def shortage(
 
 
 def _there_like(food: str, kitchen: Kitchen, alike: Callable[[str, str], float]) -> str:
-    sure = [(alike(food, name), name) for name in kitchen.food_names]
+    sure = [(alike(food, name), name) for name in kitchen.food_names if singular(name) != singular(food)]
     confidence, name = max(sure, key=lambda row: row[0], default=(0.0, ""))
     return f", or ask for {name} instead ({confidence:.2f} like it)" if confidence >= FAIR else ""
 
@@ -52,7 +53,7 @@ def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
     """Return what to do about a missing leaf ``node``: ``buy onion``, ``get a bowl``; ``kitchen`` knows utensils."""
     kitchen = kitchen or Kitchen.default()
     if kitchen.is_food(node):
-        processed = kitchen.processed_states(node)
+        processed = _made_states(node, kitchen)
         if kitchen.is_mixture(node):
             return f"buy or make {node.label}"
         return f"have {node.label} ready: {', '.join(processed)}" if processed else f"buy {node.label}"
@@ -82,8 +83,19 @@ def named(missing: Sequence[ObjectNode]) -> str:
 
 
 def _called(node: ObjectNode, kitchen: Kitchen) -> str:
+    there = kitchen.otherwise(node)
+    told = f" (there is {'; '.join(map(str, there[:MOST_NAMED]))})" if there else ""
+    return _by_name(node, kitchen) + told
+
+
+def _made_states(node: ObjectNode, kitchen: Kitchen) -> list[str]:
+    """Return the states of a food in which no shop sells it."""
+    return [state for state in node.states if not Kitchen.is_start_state(kitchen, node.label, state)]
+
+
+def _by_name(node: ObjectNode, kitchen: Kitchen) -> str:
     if kitchen.is_food(node):
-        processed = kitchen.processed_states(node)
+        processed = _made_states(node, kitchen)
         return f"{node.label} ({', '.join(processed)})" if processed else node.label
     foods = kitchen.foods_in(node)
     return f"{with_article(node.label)} of {' and '.join(foods)}" if foods else with_article(node.label)

@@ -3,8 +3,10 @@
 Naming utensils says that there are no others; naming foods says that there are no others. Of a kind of which nothing is
 named everything is there, as C6 of the contract has it. Each thing is an object node that others are held
 against: without a state it stands for a food in any state in which it is sold, or a utensil in any state; with
-states for these alone, be they processed ones. Without a place it may be anywhere, with a place it is there. Storage (a
-bottle, a shaker) comes with the food that it holds; free foods, and things like the faucet or a hand, are always there.
+states for these alone, be they processed ones. Without a place it may be anywhere, with a place it is there: what lies
+in or on a vessel is taken from there or not at all, and that vessel is not empty. A vessel that is named with contents
+holds just these. Storage (a bottle, a shaker) comes with the food that it holds, and what is in storage, or in a place
+like the fridge, may be taken out unsaid; free foods, and things like the faucet or a hand, are always there.
 """
 
 from __future__ import annotations
@@ -13,7 +15,7 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, fields, replace
 from typing import Self
 
-from foon_kg.food import singular
+from foon_kg.food import singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 from foon_kg.plans.kitchen import Kitchen, folded, is_place
@@ -41,7 +43,7 @@ class StockedKitchen(Kitchen):
         free = tuple(ObjectNode(name) for name in sorted(kitchen.free_foods))
         return cls(
             **known,
-            utensils_named=(*utensils, *_places_of(things)) if utensils else None,
+            utensils_named=(*utensils, *_places_of(things, kitchen)) if utensils else None,
             foods_named=(*foods, *free) if foods else None,
         )
 
@@ -82,11 +84,33 @@ class StockedKitchen(Kitchen):
         )
 
     def ready_in(self, food: str, state: str) -> str | None:
-        """Return in what a food is that was named in a processed state (``""``: it lies free), or ``None``."""
+        """Return in what a food is that was named in a processed state (``""``: it lies free), or ``None``.
+
+        ``None``, too, where it is together with others, or in something that is not at rest: it cannot be taken there.
+        """
         if not self.stands_ready(food, state):
             return None
-        thing = next(thing for thing in self._foods_called(food) if _says(thing, state))
-        return thing.container if thing.container is not None and self.is_storage(thing.container) else ""
+        return self._nearest_place([thing for thing in self._foods_called(food) if _says(thing, state)])
+
+    def lies_in(self, food: str, states: Collection[str]) -> str | None:
+        """Return the vessel in which all of a food is that was named so as to be had in ``states``, if it is alone."""
+        node = ObjectNode(food, tuple(states))
+        things = [thing for thing in self._foods_called(food) if self._in_state(thing, node)]
+        return (self._nearest_place(things) or None) if all(self._is_put(thing.container) for thing in things) else None
+
+    def names_so(self, node: ObjectNode) -> bool:
+        """Whether a person said of ``node`` that it is in these states, in this place, or with these contents."""
+        if self.is_food(node):
+            told = filter(_is_told, self._foods_called(node.label))
+            return any(self._in_state(thing, node) and self._lies_so(thing, node.container) for thing in told)
+        if any(self._is_as(thing, node) for thing in filter(_is_told, self._utensils_called(node.label))):
+            return True
+        return bool(self.foods_in(node)) and self._is_filled_so(node)
+
+    def otherwise(self, node: ObjectNode) -> tuple[ObjectNode, ...]:
+        """Return the things called like ``node`` that are otherwise: in another state, place or with contents."""
+        named = (*self._foods_called(node.label), *self._utensils_called(node.label)) if self.lacks(node) else ()
+        return tuple(dict.fromkeys(filter(_is_told, named)))
 
     def has(self, node: ObjectNode) -> bool:
         """Whether the kitchen of a search has ``node``: named, and in the form that C6 asks or where it was named."""
@@ -123,8 +147,40 @@ class StockedKitchen(Kitchen):
         if self.foods_named is None:
             return True
         return any(
-            self._in_state(thing, node) and _in_place(thing, node.container) for thing in self._foods_called(node.label)
+            self._in_state(thing, node) and self._lies_so(thing, node.container)
+            for thing in self._foods_called(node.label)
         )
+
+    def _lies_so(self, thing: ObjectNode, container: str | None) -> bool:
+        """Whether a food, ``thing``, may be taken out of ``container`` (``None``: as if it lay free)."""
+        return not self._is_put(thing.container) if container is None else _in_place(thing, container)
+
+    def _is_put(self, container: str | None) -> bool:
+        """Whether what is in ``container`` was put there by somebody, and does not keep there."""
+        return container is not None and not self.is_storage(container) and _holds_what_is_put(container)
+
+    def _nearest_place(self, things: Collection[ObjectNode]) -> str | None:
+        """Return out of what one of some foods is taken: of no vessel (``""``), else of one in which it is alone."""
+        free = [thing for thing in things if not self._is_put(thing.container)]
+        if free:
+            kept = free[0].container
+            return kept if kept is not None and self.is_storage(kept) else ""
+        return next((thing.container for thing in things if self._is_alone(thing)), None)
+
+    def _is_alone(self, thing: ObjectNode) -> bool:
+        """Whether a food is by itself in a vessel that is not heated, hot or on an appliance."""
+        place, own = thing.container or "", {singular(thing.label)}
+        if not _is_a_vessel(place) or self._foods_at(place) != own:
+            return False
+        vessels = filter(_held_in, self._utensils_called(place))
+        return all(_held_in(one) == own and self._is_at_rest_aside(one) for one in vessels)
+
+    def _foods_at(self, place: str) -> set[str]:
+        """Return the foods that were named as being in ``place``."""
+        return {singular(one.label) for one in self.foods_named or () if one.container and _in_place(one, place)}
+
+    def _is_at_rest_aside(self, vessel: ObjectNode) -> bool:
+        return not vessel.states and not self._is_put(vessel.container)
 
     def _in_state(self, thing: ObjectNode, node: ObjectNode) -> bool:
         """Whether a food node is in a state of ``thing``; beside one that was named, another start state may stand."""
@@ -138,12 +194,29 @@ class StockedKitchen(Kitchen):
 
     def _has_utensil(self, node: ObjectNode) -> bool:
         foods = self.foods_in(node)
-        if not all(self._has_inside(name, node.label) for name in foods):
-            return False
         comes_with_food = bool(foods) and self.is_storage(node.label)
         if self.utensils_named is None or comes_with_food or folded(node.label) in ALWAYS_THERE:
-            return True
-        return any(_stands_for(thing, node) for thing in self._utensils_called(node.label))
+            return all(self._has_inside(name, node.label) for name in foods)
+        return any(self._is_as(thing, node) for thing in self._utensils_called(node.label))
+
+    def _is_as(self, thing: ObjectNode, node: ObjectNode) -> bool:
+        """Whether a utensil ``node`` is in the states of ``thing`` and holds what that does.
+
+        What was named without a state and without contents stands for any.
+        """
+        return self._stands_for(thing, node) and self._holds_as(thing, node)
+
+    def _stands_for(self, thing: ObjectNode, node: ObjectNode) -> bool:
+        """Whether ``thing`` was named in every state of ``node``, or in none; what is in no state is at rest."""
+        if not thing.states or not node.states:
+            return super().at_rest(thing)
+        return all(_says(thing, state) or is_place(state) for state in node.states)
+
+    def _holds_as(self, thing: ObjectNode, node: ObjectNode) -> bool:
+        held, said = set(map(singular, self.foods_in(thing))), self.foods_in(node)
+        if held:
+            return held == set(map(singular, said)) or self.is_storage(thing.label)
+        return not said or (not thing.states and all(self._has_inside(name, node.label) for name in said))
 
     def _has_inside(self, food: str, vessel: str) -> bool:
         return self.foods_named is None or any(_in_place(thing, vessel) for thing in self._foods_called(food))
@@ -163,7 +236,7 @@ class StockedKitchen(Kitchen):
 
     def _is_named_so(self, node: ObjectNode) -> bool:
         named = [thing for thing in self._utensils_called(node.label) if thing.states]
-        return any(all(_says(thing, state) for state in node.states) for thing in named)
+        return any(self._is_as(thing, node) for thing in named)
 
     def _foods_called(self, label: str) -> list[ObjectNode]:
         return list(_called(label, self.foods_named or ()))
@@ -177,14 +250,43 @@ def _called(label: str, things: Collection[ObjectNode]) -> Iterator[ObjectNode]:
     return (thing for thing in things if singular(thing.label) == name)
 
 
-def _places_of(things: Iterable[ObjectNode]) -> Iterator[ObjectNode]:
-    """Yield the places at which ``things`` were named: who names what is in the fridge has a fridge."""
-    return (ObjectNode(thing.container) for thing in things if thing.container)
+def _places_of(things: Collection[ObjectNode], kitchen: Kitchen) -> Iterator[ObjectNode]:
+    """Yield the places at which ``things`` were named, unless they were named themselves.
+
+    Who names what is in the fridge has a fridge; who names what is on a board has a board with that on it.
+    """
+    utensils = [thing for thing in things if kitchen.is_utensil(thing.label)]
+    for thing in things:
+        if thing.container:
+            inside = (thing.label,) if _is_put_by(thing, kitchen) else ()
+            if not any(_held_in(one) >= set(map(singular, inside)) for one in _called(thing.container, utensils)):
+                yield ObjectNode(thing.container, (), inside)
 
 
-def _stands_for(thing: ObjectNode, utensil: ObjectNode) -> bool:
-    """Whether ``thing``, of the same name, was named in every state of ``utensil``, or in none and so for any."""
-    return not thing.states or all(_says(thing, state) or is_place(state) for state in utensil.states)
+def _is_put_by(thing: ObjectNode, kitchen: Kitchen) -> bool:
+    """Whether ``thing`` is a food that somebody put where it is."""
+    place = thing.container or ""
+    return kitchen.is_food(thing) and not kitchen.is_storage(place) and _holds_what_is_put(place)
+
+
+def _held_in(vessel: ObjectNode) -> set[str]:
+    return set(map(singular, vessel.ingredients))
+
+
+def _is_told(thing: ObjectNode) -> bool:
+    """Whether more was said of ``thing`` than its name."""
+    return bool(thing.states or thing.ingredients or thing.container)
+
+
+def _is_a_vessel(label: str) -> bool:
+    row = tables().utensil(label)
+    return row is not None and row.role == "vessel"
+
+
+def _holds_what_is_put(container: str) -> bool:
+    """Whether a vessel, tool or appliance holds only what somebody puts into it: no place, tap, fridge or packet."""
+    row = tables().utensil(container)
+    return row is None or not (row.role == "place" or row.always_on or row.keeps_food)
 
 
 def _says(thing: ObjectNode, state: str) -> bool:

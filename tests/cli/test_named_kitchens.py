@@ -45,6 +45,24 @@ def test_a_plan_takes_what_the_kitchen_has_and_check_agrees(kitchen):
 
 
 @pytest.mark.slow
+def test_places_and_contents_are_said_in_words_and_believed(kitchen):
+    placed = kitchen(UTENSILS + FOODS.replace("tomato, chopped", "tomato, chopped on plate"))
+    answer = foon("plan", *SALAD, "--kitchen", placed, "--json")
+    leaves = [(leaf["label"], *leaf["ingredients"]) for leaf in json.loads(answer.stdout)["kitchen"]]
+    assert ("plate", "tomato") in leaves
+    assert foon("check", "-", "--kitchen", placed, stdin=answer.stdout).exit_code == 0
+    full = kitchen(UTENSILS.replace("salad bowl", "salad bowl {rice}") + FOODS, "full.txt")
+    refused = foon("plan", *SALAD, "--kitchen", full)
+    assert refused.exit_code == 3
+    assert "a salad bowl (there is salad bowl ({rice}))" in refused.stderr
+    free = foon("plan", *SALAD, "--kitchen", kitchen(UTENSILS + FOODS, "free.txt"), "--json").stdout
+    for other, leaf in ((full, "salad bowl (empty)"), (placed, "tomato (chopped)")):
+        judged = foon("check", "-", "--kitchen", other, stdin=free)
+        assert judged.exit_code == 1
+        assert f"{leaf}: it is not in the kitchen that was named" in judged.stdout
+
+
+@pytest.mark.slow
 def test_the_kitchen_of_a_plan_is_a_kitchen_in_which_it_is_planned_again(kitchen):
     plain = json.loads(foon("plan", *SALAD, "--json").stdout)
     again = foon("plan", *SALAD, "--json", "--kitchen", kitchen(json.dumps(plain["kitchen"]), "kitchen.json"))

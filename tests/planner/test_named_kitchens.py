@@ -69,6 +69,49 @@ def test_what_is_at_hand_whole_as_well_as_chopped_is_taken_chopped():
     assert "chop" not in motions(planned("onion", "onion(chopped)", "tomato", "salt"))
 
 
+def leaves(result):
+    return set(map(str, result.kitchen))
+
+
+def test_what_lies_on_a_board_is_taken_from_that_board():
+    result = planned(node("onion(chopped)@on cutting_board"), "tomato", "salt")
+    assert "chop" not in motions(result)
+    assert {"onion (chopped; on cutting board)", "cutting board ({onion})"} <= leaves(result)
+
+
+def test_what_stands_in_a_vessel_is_taken_out_of_it_before_it_is_cut():
+    result = planned("onion", node("tomato@bowl"), "salt")
+    assert "bowl ({tomato})" in leaves(result)
+    assert not any(leaf.label == "tomato" and leaf.container is None for leaf in result.kitchen)
+
+
+@pytest.mark.parametrize("pot", ["bowl{egg}", "bowl(dirty)", "bowl(hot)"])
+def test_a_vessel_that_holds_something_or_is_used_is_no_empty_one(pot):
+    error = refused(*FOODS, "cutting board", "knife", "spoon", pot)
+    assert [thing.label for thing in error.missing] == ["bowl"]
+    assert f"there is {node(pot)}" in error.message
+
+
+def test_what_is_together_with_others_is_not_taken_by_itself():
+    together = (node("onion(chopped)@pot"), node("tomato(diced)@pot"), "salt")
+    error = refused(*together, *UTENSILS, "pot{onion,tomato}")
+    assert {thing.label for thing in error.missing} == {"onion", "tomato"}
+    assert "there is onion (chopped; in pot)" in error.message
+
+
+def test_what_is_named_in_a_vessel_fills_it_though_nobody_named_that():
+    error = refused(*FOODS, node("egg@bowl"), "cutting board", "knife", "spoon")
+    assert [thing.label for thing in error.missing] == ["bowl"]
+
+
+def test_an_appliance_that_is_on_is_none_that_is_off():
+    kitchen = StockedKitchen.of(KITCHEN, [node("pot(empty)@stove"), node("stove(on)")])
+    assert kitchen.lacks(node("stove(off)"))
+    assert kitchen.lacks(node("stove"))
+    assert not kitchen.lacks(node("stove(on)"))
+    assert not kitchen.lacks(node("pot(empty)"))
+
+
 def test_a_missing_food_is_named_with_what_to_do_and_nothing_is_assumed():
     error = refused("onion", "salt")
     assert {thing.label for thing in error.missing} == {"tomato"}

@@ -37,15 +37,18 @@ class Inventory:
             self.devices[label] = Device(label, self.number(), always_on=row is not None and row.always_on)
         return self.devices[label]
 
-    def fetch(self, label: str, states: tuple[str, ...], wants: Iterable[int], storage: str) -> Stuff:
+    def fetch(
+        self, label: str, states: tuple[str, ...], wants: Iterable[int], storage: str, *, stands: bool = False
+    ) -> Stuff:
         """Return the food ``label`` in ``states`` as the kitchen has it, in what it is sold in.
 
-        That is ``storage`` (``""``: it lies free). ``wants`` are the numbers of the asked foods that it is for.
+        That is ``storage`` (``""``: it lies free), or, where it ``stands`` there, a vessel in which somebody put it.
+        ``wants`` are the numbers of the asked foods that it is for.
         """
         stuff = Stuff(label, self.number(), states, (label,), frozenset(wants))
         row = self.known.utensil(storage) if storage else None
-        if row is not None and row.keeps_food:
-            vessel = self.vessel(storage, storage=True)
+        if row is not None and (row.keeps_food or stands):
+            vessel = self.vessel(storage, storage=row.keeps_food)
             vessel.contents.append(stuff)
             stuff.at = vessel
         return stuff

@@ -92,13 +92,13 @@ class Carrier:
         fats.sort(key=lambda want: not want.facts.is_a("liquid"))
         if not fats:
             return False
-        taken = self.bench.fetch(fats[0].label, fats[0].leaf, [fats[0].number], fats[0].storage)
+        taken = self.bench.fetch(fats[0].label, fats[0].leaf, [fats[0].number], fats[0].storage, stands=fats[0].stands)
         self.bring(Ready(fats[0], taken), vessel, None)
         return True
 
     def grease(self, fat: Want, tin: Vessel) -> None:
         """Spread some of a fat in a tin, or pour it where it runs."""
-        stuff = self.bench.fetch(fat.label, fat.leaf, [fat.number], fat.storage)
+        stuff = self.bench.fetch(fat.label, fat.leaf, [fat.number], fat.storage, stands=fat.stands)
         runs = form_of(self.known, fat.label, fat.leaf) == "liquid"
         attested = None if runs else self.bench.attest(self.bench.ways_by(word_list("greases")), fat.names)
         if attested is None:

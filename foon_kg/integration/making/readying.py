@@ -35,7 +35,7 @@ class Readying:
         self.bench.phase = "prepare"
         method = self.alone.precooking.method(join)
         if method and self._is_cooked_in_its_shell(want):
-            taken = self.bench.fetch(want.label, want.leaf, [want.number], want.storage)
+            taken = self.bench.fetch(want.label, want.leaf, [want.number], want.storage, stands=want.stands)
             shelled = Ready(want, taken, whole_shell=True, cut_later=want.then)
             self.ready[want.number] = self._cut_once_done(join, shelled)
             return

@@ -7,8 +7,9 @@ understood is in :mod:`~foon_kg.integration.preparing.understanding`, how it is 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Collection
 from dataclasses import dataclass, field, replace
+from typing import Protocol
 
 from foon_kg.food import Food, Level, Tables, singular
 from foon_kg.food.lists import word_list
@@ -58,7 +59,8 @@ class Want:
     ``leaf`` are the states in which the kitchen has it, in ``storage`` (``""``: free). ``make`` is the asked state that
     somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
     (``None``: it was taken at its word). ``squeezed``: only its juice is used. ``bought_so``: no kitchen of this FOON
-    makes what is asked (smoked, pickled). ``at_hand``: somebody has it in the asked state. ``then`` is what is made of
+    makes what is asked (smoked, pickled). ``at_hand``: somebody has it in the asked state. ``stands``: it is in
+    ``storage`` since somebody put it there. ``then`` is what is made of
     it once it is cooked (mashed). ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes
     out of an oven. ``part`` is for what of the dish the recipe says that it is, ``places`` are those at which it lists
     it. ``as_written`` is what the recipe says of its state, where that is several things
@@ -79,6 +81,7 @@ class Want:
     bought_so: bool = False
     then: str = ""
     at_hand: bool = False
+    stands: bool = False
     foamed: bool = False
     roasted: bool = False
     part: str = ""
@@ -108,12 +111,22 @@ class Ready:
     assumptions: list[str] = field(default_factory=list)
 
 
-def as_there(want: Want, ready_in: Callable[[str, str], str | None]) -> Want:
-    """Return ``want`` as a named kitchen has it: in the asked state and in what a person said.
+class AtHand(Protocol):
+    """What a kitchen says of its foods: :class:`~foon_kg.plans.kitchen.Kitchen`."""
 
-    ``ready_in`` gives the state in which a food and a state stand ready, ``None`` where they do not.
-    """
-    storage = ready_in(want.label, want.make) if want.make else None
+    def ready_in(self, food: str, state: str, /) -> str | None:
+        """Return in what a food in a state stands ready (``""``: it lies free), ``None`` where it does not."""
+
+    def lies_in(self, food: str, states: Collection[str], /) -> str | None:
+        """Return the vessel in which a food in such states is, ``None`` where it lies free or is in storage."""
+
+
+def as_there(want: Want, kitchen: AtHand) -> Want:
+    """Return ``want`` as a named ``kitchen`` has it: in the asked state and in what a person said."""
+    storage = kitchen.ready_in(want.label, want.make) if want.make else None
+    vessel = kitchen.lies_in(want.label, want.leaf if storage is None else (want.make,))
+    if vessel is not None:
+        want = replace(want, storage=vessel, stands=True)
     if storage is None:
         return want
     return replace(want, leaf=(want.make,), storage=storage, make="", cooked=False, squeezed=False, at_hand=True)

@@ -86,12 +86,12 @@ class Preparer(Treater):
         """Return a food as the kitchen has it; of one that comes apart the part that is meant, in a bowl of its own."""
         whole = want.of
         if whole is None:
-            return self.bench.fetch(want.label, want.leaf, [want.number], want.storage)
+            return self.bench.fetch(want.label, want.leaf, [want.number], want.storage, stands=want.stands)
         if want.label not in self._parts:
             attested = self.opening(whole)
             if attested is None:
                 raise RefusedError(f"nothing opens {whole.label}")
-            stuff = self.bench.fetch(whole.label, whole.leaf, [whole.number], whole.storage)
+            stuff = self.bench.fetch(whole.label, whole.leaf, [whole.number], whole.storage, stands=whole.stands)
             self._parts |= self.bench.part(stuff, parts_in(whole.label), (whole.asked,), attested, BOWL)
         stuff = self._parts.pop(want.label)
         stuff.wants = frozenset({want.number})
