@@ -57,10 +57,10 @@ COMMANDS = (
     Command(("--help",), 48, 40, HEAVY),
     Command(("cypher", "RETURN 1"), 39, 260, HEAVY | {"numpy"}),
     Command(("stats",), 37, 260, HEAVY | {"numpy"}),
-    Command(("load", "foon", str(DEMO)), 62, 260, HEAVY | {"numpy"}, again=True),
-    Command(("similar", "caper"), 63, 355, HEAVY),
-    Command(("plan", "--dish", "salad", "chopped onion"), 259, 355, HEAVY),
-    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 260, 241, HEAVY | {"neo4j", "psutil"}),
+    Command(("load", "foon", str(DEMO)), 63, 260, HEAVY | {"numpy"}, again=True),
+    Command(("similar", "caper"), 64, 355, HEAVY),
+    Command(("plan", "--dish", "salad", "chopped onion"), 260, 355, HEAVY),
+    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 261, 241, HEAVY | {"neo4j", "psutil"}),
 )
 
 

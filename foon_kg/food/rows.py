@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
+from foon_kg.model.values import made_often
+
 
 class Level(StrEnum):
     """How bad it is not to do what a food asks for before it is served."""
@@ -40,7 +42,7 @@ class Kind:
     when: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, eq=False)
+@made_often(eq=False)
 class Food:
     """What is known of a food in its states.
 

@@ -19,6 +19,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Food
 from foon_kg.food.shipped import shipped
 from foon_kg.food.words import any_stands_in, singular_word, words
+from foon_kg.model.values import made_often
 
 _STEP = re.compile(
     r"(?P<optional>\??)(?P<stage>[^@<:]+?)(?: as (?P<label>[^@<:]+?))?(?: ?@ ?(?P<vessel>[^<:]+?))?"
@@ -45,7 +46,7 @@ TABLES = (
 """The documents with rows of techniques, in the order in which these are tried."""
 
 
-@dataclass(frozen=True)
+@made_often()
 class Around:
     """Among which ``foods`` a food is asked, and by which words of a title (``told``)."""
 

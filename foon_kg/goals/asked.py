@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.food import Tables, is_unbaked, words
@@ -13,6 +12,7 @@ from foon_kg.food.rows import Dish
 from foon_kg.goals.names import is_baked, made_of_verb
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
 from foon_kg.integration.preparing.preparation import Want, owed
+from foon_kg.model.values import made_often
 from foon_kg.world.becoming import meets
 
 CARRIES = word_list("a dish is built on")
@@ -48,7 +48,7 @@ def is_due(want: Want, known: Tables) -> bool:
     return not owed(want, known).isdisjoint({"cook", "boil"})
 
 
-@dataclass(frozen=True)
+@made_often()
 class AskedFood:
     """A food of a recipe, how much it matters (:func:`weight`), and what else decides which dish it may join.
 

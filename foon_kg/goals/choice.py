@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -21,6 +20,7 @@ from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Frame
 from foon_kg.integration.teaching.operators import Likes
+from foon_kg.model.values import made_often
 from foon_kg.world.becoming import meets
 
 _MOST_OF_ITS_FOODS = 0.6
@@ -38,7 +38,7 @@ _TYPE_COUNTS, _NAME_COUNTS = 0.5, 0.5
 Which share it has of the foods counts from 0 to 1."""
 
 
-@dataclass(frozen=True)
+@made_often()
 class Fit:
     """How well a frame suits a recipe: where its foods join, what speaks against it, and a score (greater is better).
 

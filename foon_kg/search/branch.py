@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 
+from foon_kg.model.values import made_often
 from foon_kg.search.core import bits_of
 from foon_kg.search.cuts import cut_bound
 from foon_kg.search.deadline import Deadline
@@ -134,7 +135,7 @@ class Search(BranchAndBound):
         return core.penalty_of(extra), -gain, core.units_in(extra), -step
 
 
-@dataclass(frozen=True)
+@made_often()
 class Outlook:
     """What is known of all trees that grow from a partial one.
 

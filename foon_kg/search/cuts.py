@@ -12,6 +12,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
+from foon_kg.model.values import made_often
 from foon_kg.search.core import Core
 
 _FREE = -1  # the supporter of a step that needs nothing
@@ -46,7 +47,7 @@ class Web:
         return cls(core, users, makers, arity)
 
 
-@dataclass(frozen=True, eq=False)
+@made_often(eq=False)
 class Heights:
     """How much a node costs at least, infinite where nothing makes it; and the dearest input of each step."""
 
@@ -54,7 +55,7 @@ class Heights:
     supporter: list[int]
 
 
-@dataclass(frozen=True, eq=False)
+@made_often(eq=False)
 class CutBound:
     """``bound``: what any tree weighs at least. ``left``: the weights after that. ``heights``: by these weights."""
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from foon_kg.model.values import made_often
 from foon_kg.search.core import Core
 
 
-@dataclass(frozen=True, eq=False)
+@made_often(eq=False)
 class Partial:
     """``chosen`` steps, ``decided`` nodes, and the nodes ``waiting``, each with the decided nodes that depend on it.
 

@@ -110,7 +110,8 @@ class Reply:
     @classmethod
     def of(cls, value: JsonObject, status: int = 200) -> Self:
         """Return the reply with ``value`` and ``status`` (of HTTP)."""
-        return cls(status, json.dumps(value, ensure_ascii=False, separators=(",", ":")).encode())
+        text = json.dumps(value, ensure_ascii=False, separators=(",", ":"), check_circular=False)
+        return cls(status, text.encode())
 
     @classmethod
     def of_error(cls, error: FoonError, beside: JsonObject | None = None) -> Self:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 
 from foon_kg.food import Tables, Utensil, singular
 from foon_kg.food.rows import State
 from foon_kg.model import ObjectNode
+from foon_kg.model.values import made_often
 
 _NOT_IN = frozenset({"with", "contains", "covered", "covering", "coated"})
 """Relations whose ``[]`` is not where a thing is, but what is on it."""
@@ -20,7 +20,7 @@ MOST_READ = 1 << 13
 _PLACE = re.compile(r"(?:in|on|inside|from) \[([^\]]+)\]")
 
 
-@dataclass(frozen=True, eq=False)
+@made_often(eq=False)
 class NodeReading:
     """What a node says. Names are in the singular: ``names`` are the foods that it holds, utensils apart.
 

@@ -63,7 +63,8 @@ class _Reading:
         self._foods = [node for node in inputs if kitchen.is_food(node)]
         self._utensils = [node for node in inputs if not kitchen.is_food(node)]
         self._food_made = [node for node in outputs if kitchen.is_food(node)]
-        self._changed = [node for node in inputs if node not in outputs]
+        after = set(outputs)  # their hashes are kept: to compare nodes one by one costs more than all else
+        self._changed = [node for node in inputs if node not in after]
 
     def said(self) -> str:
         """Return the sentence as it begins in the middle of a text."""
@@ -150,7 +151,8 @@ class _Reading:
         filled = any(node.ingredients for node in self._utensils if node.label == place)
         if known or filled or any(food.container == place for food in self._foods):
             return self._without_parts(known)
-        return [food.label for food in self._foods if food in self._changed]
+        after = set(self._outputs)
+        return [food.label for food in self._foods if food not in after]
 
     def _known_of(self, gained: set[str], place: str) -> list[str]:
         """Return what was there before, elsewhere than at ``place``, of what that ``gained``."""
@@ -259,7 +261,8 @@ class _Reading:
     @cached_property
     def _foods_changed(self) -> list[ObjectNode]:
         """The foods that change, water apart that only washes something."""
-        changed = [food for food in self._foods if food in self._changed] or self._foods
+        after = set(self._outputs)
+        changed = [food for food in self._foods if food not in after] or self._foods
         foods = [food for food in changed if not self._only_washes(food)]
         return foods if foods or any(node.ingredients for node in self._utensils) else changed
 

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.layouts import Layout
+from foon_kg.model.values import made_often
 
 _DIGITS = 6
 """Scores that are equal to so many digits are ties, and go by their keys: sums of floats differ in the last ones."""
@@ -64,7 +65,7 @@ def closing_heat(layout: Layout, known: Tables) -> tuple[str, str]:
     return ("bake", "") if dry else ("heat", row.group if row is not None else "")
 
 
-@dataclass(frozen=True)
+@made_often()
 class Sought:
     """A food that is sought in outlines: how much it counts, by which names it is known, and its kind."""
 

@@ -7,12 +7,12 @@ later, and whether they are the dish's own line or one that joins it.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
+from foon_kg.model.values import made_often
 
 Post = tuple[str, str, bool]
 """What is done (``blend``, ``knead``, ``mix``, ``heat``, ``bake``, ``boil``, ``shape``, ``rest``, ``top``), when it is
@@ -34,7 +34,7 @@ _WORKS = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True, eq=False)
+@made_often(eq=False)
 class Spot:
     """One stage of a frame with what comes after it (``after``, on its line and on those that this one joins).
 
@@ -92,7 +92,7 @@ def _post(stage: Stage, later: Sequence[Stage], *, before: bool, side: bool) -> 
     return work, when, side
 
 
-@dataclass(frozen=True)
+@made_often()
 class Join:
     """Where one asked food joins, how well that fits (0 to 1), and the slot that it takes, if one is natural.
 

@@ -6,7 +6,6 @@ Nothing is moved here: :mod:`~foon_kg.integration.making.carrying` does it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -18,6 +17,7 @@ from foon_kg.integration.preparing.preparation import Ready, Want
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import Slot
 from foon_kg.integration.teaching.operators import Attested, Way
+from foon_kg.model.values import made_often
 
 _POUR = frozenset({"pour", "drip"})
 """Words of motions that only a thing obeys that runs, or lies loose."""
@@ -32,7 +32,7 @@ _BY_HAND: tuple[Way, ...] = (("pick-and-place", ()), ("pour", ()))
 """The ways that are open for any food, where no video brings its like."""
 
 
-@dataclass(frozen=True)
+@made_often()
 class Transport:
     """A food that is to be brought from where it is into ``target``; ``slot`` is what joins there in a video."""
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from foon_kg.integration.bench import Stuff, Vessel
 from foon_kg.integration.joining.course import COATS, MIXES, WORKS
 from foon_kg.integration.making.lifting import lifts_later
@@ -12,9 +10,10 @@ from foon_kg.integration.making.placing import Placing
 from foon_kg.integration.making.turns import Turn
 from foon_kg.integration.teaching.frames import Asked
 from foon_kg.integration.teaching.operators import Attested, Way
+from foon_kg.model.values import made_often
 
 
-@dataclass(frozen=True)
+@made_often()
 class _Product:
     """What comes of work: one thing called ``label`` (``""``: each food stays what it is) in these ``states``."""
 

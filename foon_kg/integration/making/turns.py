@@ -11,9 +11,10 @@ from foon_kg.integration.bench import Vessel
 from foon_kg.integration.joining.course import MIXES
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.teaching.frames import Line, Stage
+from foon_kg.model.values import made_often
 
 
-@dataclass(frozen=True)
+@made_often()
 class Turn:
     """A stage whose turn it is.
 

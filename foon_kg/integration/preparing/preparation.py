@@ -16,6 +16,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Stuff
 from foon_kg.integration.teaching.operators import Way
+from foon_kg.model.values import made_often
 
 IN_ORDER = ("husk", "shell", "peel", "core", "stone", "choke")
 """What hands do to a food before it is cut, in this order: from the outside in."""
@@ -52,7 +53,7 @@ SECOND = 1000
 Each module that makes some begins at a multiple of its own, so that no two portions have one number."""
 
 
-@dataclass(frozen=True)
+@made_often()
 class Want:
     """A required food as it is understood.
 

@@ -17,6 +17,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.model import UNMEASURED, KnownUnit, Sighting
 from foon_kg.model.recent import Recent
+from foon_kg.model.values import made_often
 from foon_kg.world.reading import NodeReading, Reader, reader
 
 MOST_SIGHTINGS = 3
@@ -57,7 +58,7 @@ class Nearness(IntEnum):
         return self.name.lower()
 
 
-@dataclass(frozen=True)
+@made_often()
 class Attested:
     """A way of doing something, and the units that attest it.
 
