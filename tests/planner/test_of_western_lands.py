@@ -101,3 +101,63 @@ def test_slices_fried_as_they_are_lie_under_their_sauce(steps):
                  "onion:chopped", "tomatoes:canned", "mozzarella:sliced", "Parmesan:grated")  # fmt: skip
     assert first(told, "aubergines", "flip") < motions(told).index("bake")
     assert not any({"aubergines", "tomatoes"} <= inputs and motion == "mix" for inputs, motion, _ in told)
+
+
+@pytest.mark.parametrize("title", ["Pasta alla Genovese", "Beef Ragù with Ziti"])
+def test_flesh_in_pieces_is_braised_before_the_pasta_boils(steps, title):
+    told = steps("pasta", title, "ziti:uncooked", "beef chuck:cut", "onions:sliced", "carrot:chopped",
+                 "olive oil:liquid", "tomatoes:canned", "white wine:liquid", "bay leaf:sprig",
+                 "pecorino:grated")  # fmt: skip
+    assert first(told, "beef chuck", "cook and stir") < first(told, "white wine", "simmer")
+    assert motions(told).index("boil") > first(told, "white wine", "simmer")
+
+
+@pytest.mark.parametrize(("title", "food"), [("Torta Pasqualina", "ricotta"), ("Bacon and Egg Pie", "bacon")])
+def test_whole_eggs_lie_on_the_filling_between_two_sheets(steps, title, food):
+    told = steps("pie", title, "puff pastry:raw", f"{food}:raw", "eggs:uncooked", "onion:chopped", "olive oil:liquid",
+                 "parsley:chopped")  # fmt: skip
+    assert "eggs" not in inside(told, "mix")
+    assert sum("puff pastry" in inputs and motion in {"put", "place", "pour", "pick-and-place"}
+               for inputs, motion, _ in told) > 1  # fmt: skip
+
+
+def test_crumbs_lie_on_the_syrup_of_a_shoofly_pie(steps):
+    told = steps("pie", "Shoofly Pie", "unbaked pie crust:raw", "molasses:thick liquid", "water:hot",
+                 "baking soda:powder", "flour:powder", "brown sugar:granulated", "shortening:creamy")  # fmt: skip
+    assert "molasses" not in inside(told, "mix")
+    assert inside(told, "bake") >= {"molasses", "flour"}
+
+
+@pytest.mark.parametrize(("packed", "dish_type"), [("anchovy fillets in oil", "pizza"), ("sardines in oil", "pizza")])
+def test_what_is_packed_in_oil_is_no_oil_for_dough(steps, packed, dish_type):
+    told = steps(dish_type, "Pizza", "flour:powder", "yeast:dried", "water:warm", "olive oil:liquid",
+                 "tomatoes:canned", f"{packed}:drained")  # fmt: skip
+    assert packed not in inside(told, "knead")
+
+
+def test_bread_asked_soaked_lies_in_water(steps):
+    told = steps("meatball", "Boulets", "pork and beef:minced", "white bread:soaked", "onion:finely chopped",
+                 "egg:uncooked", "butter:unmelted")  # fmt: skip
+    assert first(told, "white bread", "soak") < first(told, "egg", "mix")
+
+
+def test_a_fresh_ham_is_roasted_in_one_piece(steps):
+    told = steps("roast", "Lechón Asado", "ham:fresh", "garlic:peeled", "cumin:ground", "sour orange juice:juice",
+                 "olive oil:liquid", "onions:sliced", "salt:granulated")  # fmt: skip
+    assert first(told, "ham", "bake") < first(told, "ham", "slice")
+
+
+def test_tuna_in_pieces_comes_fresh_to_a_stew(steps):
+    told = steps("seafood", "Marmitako", "bonito tuna:cut", "potatoes:broken", "onion:chopped", "fish stock:liquid",
+                 "olive oil:liquid")  # fmt: skip
+    assert first(told, "bonito tuna", "simmer") > first(told, "potatoes", "simmer")
+
+
+@pytest.mark.parametrize(("dish_type", "title", "asked"), [
+    ("sauce", "Skordalia", ["floury potatoes:cut", "garlic:crushed", "almonds:ground", "olive oil:liquid",
+                            "white wine vinegar:liquid"]),
+    ("cake", "Torta Caprese", ["dark chocolate:chopped", "butter:stick", "almonds:ground", "caster sugar:granulated",
+                               "eggs:separated"]),
+])  # fmt: skip
+def test_ground_nuts_may_be_raw_and_a_cake_of_capri_needs_no_tomato(public_plans, dish_type, title, asked):
+    assert public_plans(dish_type, title, *asked).units

@@ -133,12 +133,8 @@ class Doing:
         if turn.heats_later and not _is_crushed_next(turn):
             return vessel
         if len(vessel.contents) > 1:
-            own = (
-                self.plan.label
-                if turn.main and not lifts_later(turn.later)
-                else self.work.outcome.label(turn.stage, vessel)
-            )
-            self.work.name(vessel, own or MIXTURE)
+            last = turn.main and not lifts_later(turn.later)
+            self.work.name(vessel, self.work.outcome.label(turn.stage, vessel, last=last) or MIXTURE)
         self.bench.heat_off(vessel)
         return self.work.taking_out.take_out(vessel)
 

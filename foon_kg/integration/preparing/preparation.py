@@ -164,7 +164,8 @@ def as_mixed(want: Want, known: Tables) -> Want:
     ``known`` are the tables.
     """
     whole = not want.make or known.state(want.make).fineness <= 1
-    torn = whole and want.facts.kind in word_list("is torn to be soaked")
+    soaked = want.make in word_list("is so when it has soaked")  # that is asked, and falls apart by itself
+    torn = whole and not soaked and want.facts.kind in word_list("is torn to be soaked")
     return replace(want, make="torn") if torn else as_mash(want, known)
 
 

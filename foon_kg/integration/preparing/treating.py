@@ -134,9 +134,11 @@ class Treater(Cutter):
         earns = self.known.state(asked).earns if asked else frozenset()
         if not earns or not earns <= ADVISED or asked in ready.stuff.states:
             return
-        if (earns == RINSED and self.rinse(ready, asked)) or self.worked_so(ready, asked):
-            return
-        self.assume(ready, asked)
+        if asked in word_list("is so when it has soaked"):
+            self.soak(ready)
+        done = asked in ready.stuff.states or (earns == RINSED and self.rinse(ready, asked))
+        if not done and not self.worked_so(ready, asked):
+            self.assume(ready, asked)
 
     def soak(self, ready: Ready) -> None:
         """Let a food that is ``ready`` but dried hard lie in water, and pour that off, where the FOON shows how."""
