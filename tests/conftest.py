@@ -62,6 +62,9 @@ does so when an index comes or goes."""
 MANY_FILES = 4
 """For each worker: of fewer files each test is sent by itself, and nobody waits for the longest file."""
 
+LONGEST_ID = 100
+"""Characters of a parameter that a test is called by: one of four million was sent to each worker and back again."""
+
 OURS = {re.search(r"(?:CONSTRAINT|INDEX) (\w+)", step.text)[1]: step.text for step in schema_steps()}
 """The constraints and indexes of foon-kg by their names."""
 
@@ -109,6 +112,13 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     slow = Counter(item.path for item in items if item.get_closest_marker("slow"))
     # the longest first, so that no worker waits for another in the end: what is in a group, then files of slow tests
     items.sort(key=lambda item: (0, 0) if item.get_closest_marker("xdist_group") else (1, -slow[item.path]))
+
+
+def pytest_make_parametrize_id(val: object) -> str | None:
+    """Return what a long text is called among the parameters of a test; whatever else is called as usual."""
+    if isinstance(val, str | bytes) and len(val) > LONGEST_ID:
+        return f"{val[:LONGEST_ID]!a} and {len(val) - LONGEST_ID} more"
+    return None
 
 
 @pytest.hookimpl(optionalhook=True)
