@@ -318,6 +318,21 @@ class Component:
     lacks: tuple[Foods, ...] = ()
     leaves: tuple[Foods, ...] = ()
 
+    @property
+    def is_sought(self) -> bool:
+        """Whether it may be there though the recipe says of no food that it is for it."""
+        return self.guessed or self.behind or bool(self.again)
+
+
+def components_for(parts: Collection[str]) -> tuple[Component, ...]:
+    """Return the components that a recipe may have that names ``parts``: most have to be named."""
+    return components() if parts else _components_sought()
+
+
+@cache
+def _components_sought() -> tuple[Component, ...]:
+    return tuple(component for component in components() if component.is_sought)
+
 
 @cache
 def components() -> tuple[Component, ...]:

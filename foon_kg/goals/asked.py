@@ -13,7 +13,7 @@ from foon_kg.goals.names import is_baked, made_of_verb
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
 from foon_kg.integration.preparing.preparation import Want, owed
 from foon_kg.model.values import made_often
-from foon_kg.world.becoming import meets
+from foon_kg.world.becoming import Together, meets
 
 CARRIES = word_list("a dish is built on")
 SEASONS = word_list("only seasons")
@@ -206,11 +206,15 @@ class Asked:
             for needs in dish.needs
         )
 
+    @cached_property
+    def _together(self) -> Together:
+        return Together([want.facts for want in self.wants], self.known)
+
     def has(self, need: str) -> bool:
         """Return whether one of its foods is what a dish needs: ``need`` is one of the names in a dish's ``needs``."""
         found = self._met.get(need)
         if found is None:
-            found = self._met[need] = any(meets(need, want.facts, self.known) for want in self.wants)
+            found = self._met[need] = self._together.meet(need)
         return found
 
     def has_a(self, name: str) -> bool:

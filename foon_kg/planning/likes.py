@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 from array import array
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 
 import numpy as np
 
@@ -153,12 +153,12 @@ class RecipeLikes:
         found = [*fair.items(), *(pair for pair in self._likes.others(singular(food)) if pair[0] not in fair)]
         return [pair for pair in found if pair[0] != chosen]
 
-    def meet(self, foods: Iterable[str]) -> None:
+    def meet(self, foods: Set[str]) -> None:
         """Work out what :meth:`in_slot` returns of ``foods`` that dishes have and that are unlike all of the recipe's.
 
         Of a part of a FOON they are not among the known ones.
         """
-        strange = sorted(set(foods) - self._likes.place.keys())
+        strange = sorted(food for food in foods if food not in self._likes.place)
         if strange:
             self._met = {food: place for place, food in enumerate(strange)}
             self._met_in_slots = self._likes.in_slots(self._wanted, strange)

@@ -266,7 +266,7 @@ class PlannedRecipe:
         allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
         keys = shortlisted(self.methods.outlines, asked, self.likes, allowed)
         layouts = self.methods.layouts_of(list(dict.fromkeys((*first, *keys))))
-        self.likes.meet(place.slot.food for layout in layouts for place in layout.places)
+        self.likes.meet(frozenset().union(*(layout.foods for layout in layouts)))
         return fits(layouts, asked, self.matcher)
 
     def _nearest(self, asked: Asked) -> str:

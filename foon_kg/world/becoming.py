@@ -64,9 +64,31 @@ def meets(need: str, food: Food, known: Tables) -> bool:
 
     ``known`` says which words are kinds.
     """
-    scheme, _, name = need.rpartition(":")
-    if scheme == "trait":
-        return name in food.traits
-    if scheme == "kind" or name in known.foods.kinds:
-        return name in food.kinds or name in food.name.split()
-    return food.is_a(name) or set(name.split()) <= set(food.name.split())
+    return Together([food], known).meet(need)
+
+
+class Together:
+    """Several ``foods``, of which it is asked at once whether one of them is what a need says, as :func:`meets` asks.
+
+    The tables ``known`` say which words are kinds.
+    """
+
+    def __init__(self, foods: Sequence[Food], known: Tables) -> None:
+        self._kinds = known.foods.kinds
+        self._names = [frozenset(food.name.split()) for food in foods]
+        self._words = frozenset[str]().union(*self._names)
+        self._of = frozenset[str]().union(*(food.kinds for food in foods))
+        self._traits = frozenset[str]().union(*(food.traits for food in foods))
+        self._called = {name for food in foods for name in (food.name, food.taken_for)}
+
+    def meet(self, need: str) -> bool:
+        """Return whether one of the foods is what ``need`` says."""
+        scheme, _, name = need.rpartition(":")
+        if scheme == "trait":
+            return name in self._traits
+        if scheme == "kind" or name in self._kinds:
+            return name in self._of or name in self._words
+        if name in self._of or name in self._traits or name in self._called:
+            return True
+        own = name.split()
+        return any(words.issuperset(own) for words in self._names)

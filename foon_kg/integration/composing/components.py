@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import singular, words
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import Around, Component, Foods, components, is_so
+from foon_kg.food.techniques import Around, Component, Foods, components_for, is_so
 from foon_kg.integration.composing.assigning import means, takes
 from foon_kg.integration.preparing.preparation import SECOND, Want
 
@@ -39,7 +39,7 @@ def sides_of(
     held = {name for name in _HOLDS if any(getattr(dish, name) for dish in dishes)}
     held |= {"baked"} if baked or "tin" in held else set()
     finder = _Finder(wants, kept, held, dish_type, words(title))
-    sides = tuple(side for component in components() if (side := finder.side(component)) is not None)
+    sides = tuple(side for one in components_for(finder.parts) if (side := finder.side(one)) is not None)
     return tuple(finder.rest), sides
 
 
@@ -97,8 +97,7 @@ class _Finder:
 
     def _is_sought(self, component: Component) -> bool:
         """Whether a component is looked for though the recipe says of no food that it is for it."""
-        sought = component.guessed or component.behind or component.again
-        return bool(sought) and component.technique.is_called(self.dish_type, self.title_words)
+        return component.is_sought and component.technique.is_called(self.dish_type, self.title_words)
 
     def _may_be(self, component: Component) -> bool:
         """Whether a dish of this type and title may have such a component, and any food may be for it."""

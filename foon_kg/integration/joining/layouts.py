@@ -73,6 +73,11 @@ class Layout:
     made: tuple[Made, ...]
 
     @cached_property
+    def foods(self) -> frozenset[str]:
+        """The foods of its places."""
+        return frozenset(place.slot.food for place in self.places)
+
+    @cached_property
     def posts(self) -> tuple[Post, ...]:
         """The posts of its places, each once."""
         return tuple(dict.fromkeys(place.spot.post for place in self.places))
