@@ -19,16 +19,19 @@ if TYPE_CHECKING:
     from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.foon import Foon
     from foon_kg.formats.exports.files import ExportFile
+    from foon_kg.formats.exports.tree import ExportedTree
 
 EXAMPLES = examples(
     "foon export plan.json --format markdown",
     "foon export plan.json --output salad.dot",
     "foon export plans.jsonl --format pddl --output problems/",
+    "foon export plan.json --after-step 7 --output rest.xml",
     "foon export --format csv --output import/",
     'foon export --files DIR --format pddl --goal "greek salad" -o pddl/',
     "foon export --format weights --output motion_cost.json",
 )
 _FORMATS = ("foon", "json", "dot", "mermaid", "graphml", "markdown", "behaviour-tree", "pddl", "csv", "weights")
+_GOES_ON = {"behaviour-tree", "pddl"}
 _WEIGHTED = {"graphml", "behaviour-tree", "csv", "weights"}
 
 
@@ -58,6 +61,10 @@ Output = Annotated[
 Goal = Annotated[
     str | None, typer.Option("--goal", metavar="NAME", help="For PDDL of the whole FOON: the dish to be made.")
 ]
+AfterStep = Annotated[
+    int | None,
+    typer.Option("--after-step", metavar="N", min=1, help="For a robot: go on after step N of a plan (PDDL, XML)."),
+]
 RecipeFile = Annotated[
     Path | None,
     typer.Option("--recipe", metavar="FILE", help="For Markdown: a recipe (JSON) with a quantity and a unit each."),
@@ -72,6 +79,7 @@ def export(
     goal: Goal = None,
     kitchen: KitchenFile = None,
     recipe: RecipeFile = None,
+    after_step: AfterStep = None,
     weights: Weights = None,
     files: Files = None,
     as_json: Json = False,
@@ -97,6 +105,9 @@ def export(
     one place, steps use up and move what they take, and in the end everything is off. With --goal and, as a rule,
     --kitchen, PDDL asks a planner to make a dish from the whole FOON; there nothing is used up.
 
+    With --after-step the first N steps of a plan are done: PDDL begins with what they leave, in the same domain, and a
+    behaviour tree has the other steps.
+
     GraphML, behaviour trees (success rates) and CSV (costs) have the weights of motions, too: those of the graph, or of
     --weights, which a tree needs.
 
@@ -108,14 +119,15 @@ def export(
     if as_json and form not in {None, "json"}:
         raise UsageError(f"--json and --format {form} ask for two forms", hint="Leave one of them out.")
     form = _chosen("json" if as_json else form, output)
-    _refuse_idle(form, recipe, weights)
+    _refuse_idle(form, recipe, weights, after_step)
     if tree is not None:
         _refuse({"--goal": goal, "--kitchen": kitchen, "--files": files}, "task trees")
-        written = _trees(tree, form, recipe, weights, say)
+        written = _trees(_read(tree, after_step, say), form, recipe, weights)
     elif form == "pddl":
+        _refuse({"--after-step": after_step}, "a whole FOON")
         written = _problem(goal, kitchen, files, say)
     else:
-        _refuse({"--goal": goal, "--kitchen": kitchen}, form)
+        _refuse({"--goal": goal, "--kitchen": kitchen, "--after-step": after_step}, form)
         written = _whole(form, weights, files, say)
     _write(written, output)
     if form == "csv" and output is not None:
@@ -123,19 +135,29 @@ def export(
         say("foon cypher --write - < after.cypher, then foon load foon with any of the files, for the constraints.")
 
 
-def _refuse_idle(form: str, recipe: Path | None, weights: Path | None) -> None:
-    """Refuse a recipe or weights for a form that takes nothing of them."""
+def _refuse_idle(form: str, recipe: Path | None, weights: Path | None, after_step: int | None) -> None:
+    """Refuse a recipe, weights or a step for a form that takes nothing of them."""
+    if form not in _GOES_ON:
+        _refuse({"--after-step": after_step}, form)
     if form != "markdown":
         _refuse({"--recipe": recipe}, form)
     if form not in _WEIGHTED:
         _refuse({"--weights": weights}, form)
 
 
-def _trees(file: Path, form: str, recipe: Path | None, weights: Path | None, say: Say) -> list[ExportFile]:
-    from foon_kg.cli.exported_trees import amounts_of, read_exported_trees
+def _read(file: Path, after_step: int | None, say: Say) -> list[ExportedTree]:
+    """Return the trees of a file, and of them what is left after a step, where one is named."""
+    from foon_kg.cli.exported_trees import read_exported_trees
+
+    trees = read_exported_trees(file, say)
+    return trees if after_step is None else [tree.after(after_step) for tree in trees]
+
+
+def _trees(trees: Sequence[ExportedTree], form: str, recipe: Path | None, weights: Path | None) -> list[ExportFile]:
+    from foon_kg.cli.exported_trees import amounts_of
     from foon_kg.formats.exports.formats import export_tree
 
-    trees, costs = read_exported_trees(file, say), _costs_of_file(weights)
+    costs = _costs_of_file(weights)
     return [written for tree in trees for written in export_tree(tree, form, amounts_of(tree, recipe), costs)]
 
 

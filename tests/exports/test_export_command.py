@@ -223,3 +223,17 @@ def test_equal_trees_are_equal_files_in_every_run(story, tmp_path):
         answers.add(done.stdout)
     assert len(answers) == 1
     assert len(answers.pop().splitlines()) > len(ENDINGS)
+
+
+def test_going_on_is_for_robots_and_for_numbered_things(export, story, plans, tmp_path):
+    for words, why in (
+        ((plans, "--format", "behaviour-tree", "--after-step", 2), "its things have no numbers"),
+        ((story, "--format", "pddl", "--after-step", 2), "its things have no numbers"),
+        ((story, "--format", "dot", "--after-step", 2), "--after-step means nothing for dot"),
+        ((story, "--format", "pddl", "--after-step", len(SALAD)), "none is left"),
+        (("--format", "pddl", "--after-step", 2), "--after-step means nothing for a whole FOON"),
+    ):
+        answer = export(*words, "--output", tmp_path / "rest")
+        assert answer.exit_code in {1, 2}
+        assert why in answer.stderr
+    assert not (tmp_path / "rest").exists()

@@ -60,6 +60,16 @@ def test_a_plan_of_numbered_things_is_solved_in_as_many_steps_and_our_order_is_a
     assert judged(written) == (len(plan.units), True, True)
 
 
+@pytest.mark.slow
+def test_what_a_step_leaves_is_where_a_planner_goes_on(judged):
+    plan = demo_plan("tomato_salad")
+    whole = tree_to_pddl(ExportedTree.of_plan(plan))
+    for done in (1, len(plan.units) // 2, len(plan.units) - 1):
+        rest = tree_to_pddl(ExportedTree.of_plan(plan).after(done))
+        assert rest.domain == whole.domain
+        assert judged(rest) == (len(plan.units) - done, True, True)
+
+
 def test_an_order_in_which_something_is_missing_is_not_accepted(judged):
     written = tree_to_pddl(of_file(subgraph("salad", "salad", *SALAD)))
     steps = [line for line in written.plan.splitlines() if line.startswith("(")]

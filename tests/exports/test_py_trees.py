@@ -65,6 +65,23 @@ def test_a_motion_that_fails_ends_the_tree_there(names, xml):
     assert root.tip().name.startswith("3 ")
 
 
+@pytest.mark.parametrize("done", [1, 4])
+def test_after_a_failure_the_rest_goes_on_in_the_same_kitchen(names, done):
+    tree, kitchen = ExportedTree.of_plan(demo_plan("tomato_salad")), names["Kitchen"]()
+    motions: list[str] = []
+    names["run"](
+        write_behaviour_tree(tree), kitchen, lambda motion, _: (motions.append(motion), len(motions) <= done)[1]
+    )
+    again = names["run"](write_behaviour_tree(tree), kitchen, counted([]))
+    assert again.status is py_trees.common.Status.FAILURE  # the whole tree begins with what is no longer so
+    rest: list[str] = []
+    root = names["run"](write_behaviour_tree(tree.after(done)), kitchen, counted(rest))
+    assert root.status is py_trees.common.Status.SUCCESS
+    assert [*motions[:done], *rest] == [
+        one.get("ID") for one in ET.fromstring(write_behaviour_tree(tree)).iter("Action") if one.get("name")
+    ]
+
+
 def test_after_the_run_the_dish_is_there(names, xml):
     kitchen = names["Kitchen"]()
     names["run"](xml, kitchen)

@@ -49,14 +49,15 @@ _PORTS = {
 def write_behaviour_tree(tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> str:
     """Return a task tree as a behaviour tree; actions have a success rate where ``costs`` know their motion.
 
-    Raises :class:`~foon_kg.model.errors.FormatError` for names with control characters, which no XML can hold.
+    Of a tree of which some steps are done it has the others. Raises :class:`~foon_kg.model.errors.FormatError` for
+    names with control characters, which no XML can hold.
     """
     names = _action_names(dict.fromkeys(known.unit.motion for known in tree.units))
     root = ET.Element("root", {"BTCPP_format": "4", "main_tree_to_execute": _TREE})
     sequence = ET.SubElement(ET.SubElement(root, "BehaviorTree", {"ID": _TREE}), "Sequence")
     sequence.set("name", _instance(tree.title))
     planned = tree.result.units if tree.result is not None and has_numbers(tree.result) else ()
-    for place, known in enumerate(tree.units, 1):
+    for place, known in enumerate(tree.units[tree.done :], tree.done + 1):
         attributes = _attributes(place, known, names) | _success(known, costs)
         if planned:
             _add_conditions(sequence, planned[place - 1])

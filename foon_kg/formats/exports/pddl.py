@@ -44,6 +44,7 @@ class PlanningProblem:
 def tree_to_pddl(tree: ExportedTree) -> PlanningProblem:
     """Return the problem that a task tree solves: its units, its kitchen, its goal, and its order as a plan.
 
+    Of a tree of which some steps are done the kitchen is as they leave it; the domain is the same, and has all units.
     Raises :class:`~foon_kg.model.errors.FormatError` for a tree that does not say what its goal is.
     """
     if tree.goal is None:
@@ -52,13 +53,13 @@ def tree_to_pddl(tree: ExportedTree) -> PlanningProblem:
             hint="Export the plan result (JSON) or mark the goal with its dish class.",
         )
     if tree.result is not None and has_numbers(tree.result):
-        return _of_things(tree.title, Kitchenful(tree.result, Kitchen.default()))
+        return _of_things(tree.title, Kitchenful(tree.result, Kitchen.default(), tree.done), tree.done)
     units = [known.unit for known in tree.units]
     writer = _Writer.of(tree.title, units, tree.kitchen, (tree.goal,), Kitchen.default())
     return PlanningProblem(writer.domain(), writer.problem(), writer.plan())
 
 
-def _of_things(title: str, kitchenful: Kitchenful) -> PlanningProblem:
+def _of_things(title: str, kitchenful: Kitchenful, done: int) -> PlanningProblem:
     name = name_of("make", title)
     written = comment(f"{title}, written by foon-kg")
     things = [f"    {thing.name} - {thing.kind}" for thing in kitchenful.things.values()]
@@ -88,7 +89,7 @@ def _of_things(title: str, kitchenful: Kitchenful) -> PlanningProblem:
         ")",
     ]
     plan = [comment(f"{title}: the steps in foon-kg's own order")]
-    for action in kitchenful.actions:
+    for action in kitchenful.actions[done:]:
         plan += [comment(unit_text(action.unit.as_unit())), f"({action.name})"]
     texts = ("\n".join(lines) + "\n" for lines in (domain, problem, plan))
     return PlanningProblem(*texts)

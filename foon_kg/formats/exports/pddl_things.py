@@ -51,10 +51,11 @@ def has_numbers(result: PlanResult) -> bool:
 class Kitchenful:
     """The things of a plan, followed from its first step to its last.
 
-    ``begin`` are the facts of the kitchen, ``end`` those of the goal; ``forms`` name the forms.
+    ``begin`` are the facts of the kitchen once so many steps are ``done``, ``end`` those of the goal; ``forms`` name
+    the forms.
     """
 
-    def __init__(self, result: PlanResult, kitchen: Kitchen) -> None:
+    def __init__(self, result: PlanResult, kitchen: Kitchen, done: int = 0) -> None:
         self.things = _things(result.units, kitchen)
         self.forms: dict[ObjectNode, str] = {}
         self.begin: list[str] = []
@@ -62,6 +63,8 @@ class Kitchenful:
         digits = len(str(len(result.units)))
         self.actions: list[Action] = []
         for place, unit in enumerate(result.units):
+            if place == done:  # what is taken only later is still as it was found, and is told when it is
+                self.begin = [fact for thing in self.things.values() for fact in self._facts(thing)]
             action = Action(name_of(f"step_{place + 1:0{digits}}", unit.motion), unit)
             self._take(action, {thing for thing, taken in last.items() if taken == place})
             self._make(action)

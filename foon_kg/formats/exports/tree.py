@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Self
 
 from foon_kg.food.motion_costs import NO_COSTS, MotionCosts
+from foon_kg.formats.exports.pddl_things import has_numbers
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Recipe, Sighting, Subgraph, steps_of
+from foon_kg.model.errors import FormatError, UsageError
 from foon_kg.model.tree import newly_made
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
@@ -20,7 +22,7 @@ class ExportedTree:
 
     ``goal`` is ``None`` for a FOON file in which no output is marked. ``subgraph`` is the tree as a
     FOON file has it, ``result`` the plan result that it comes from, if any; ``costs`` are the weights of
-    its motions with which it was retrieved.
+    its motions with which it was retrieved. Of the units the first ``done`` were carried out already.
     """
 
     name: str
@@ -30,6 +32,7 @@ class ExportedTree:
     subgraph: Subgraph
     result: PlanResult | None = None
     costs: MotionCosts = NO_COSTS
+    done: int = 0
 
     @classmethod
     def of_plan(cls, result: PlanResult) -> Self:
@@ -58,6 +61,21 @@ class ExportedTree:
         """Return the tree of the ``result`` of a classic retrieval: its units as the FOON has them."""
         subgraph = result.to_subgraph()
         return cls(subgraph.name, tuple(steps_of(subgraph)), result.kitchen, result.goal, subgraph, costs=result.costs)
+
+    def after(self, done: int) -> ExportedTree:
+        """Return this tree once its first ``done`` steps were carried out.
+
+        Raises :class:`~foon_kg.model.errors.UsageError` where that leaves none, and
+        :class:`~foon_kg.model.errors.FormatError` where its things have no numbers, and so nobody can say how they are.
+        """
+        if not done < len(self.units):
+            raise UsageError(f"{self.name} has {len(self.units)} steps: none is left", hint="Name an earlier step.")
+        if self.result is None or not has_numbers(self.result):
+            raise FormatError(
+                f"{self.name}: its things have no numbers, so nobody knows how they are after a step",
+                hint="Give the plan result (JSON).",
+            )
+        return replace(self, done=done)
 
     @property
     def recipe(self) -> Recipe | None:
