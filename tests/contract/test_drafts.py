@@ -169,6 +169,8 @@ def test_drafts_are_loaded_once_replaced_and_removed(connection, graph):
     other = replace(SALADS[0], confidence=0.9)
     report = load_drafts(connection, [other, COOKIE])
     assert (report.inserted, report.replaced, report.unchanged) == (0, 1, 1)
+    report = load_drafts(connection, [SALADS[0], other, COOKIE])  # of two drafts of one recipe the last counts
+    assert (report.inserted, report.replaced, report.unchanged, report.left_out) == (0, 1, 2, 0)
     with graph.reading() as view:
         assert {one.subgraph.name: one.confidence for one in view.lessons()}["draft:s0"] == 0.9
     with pytest.raises(UsageError, match="no draft “draft:onions”"):

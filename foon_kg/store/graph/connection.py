@@ -127,9 +127,7 @@ def explained(settings: ConnectionSettings) -> Iterator[None]:
             code="login",
         ) from error
     except driver_errors.ConfigurationError as error:
-        raise GraphError(
-            f"{settings.uri}: {error}", hint="Check NEO4J_URI: neo4j://host or bolt://host:7687."
-        ) from error
+        raise GraphError(f"{settings.uri}: {error}", hint=_ADDRESS_HINT) from error
     except driver_errors.Neo4jError as error:
         raise _refused(error, settings) from error
     except driver_errors.DriverError as error:

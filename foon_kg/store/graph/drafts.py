@@ -58,6 +58,8 @@ def load_drafts(
 ) -> DraftsStored:
     """Bring the graph of ``connection`` to have ``drafts``; one of a known name is replaced, the same stays as it is.
 
+    Of two of one name the last counts.
+
     ``kitchen`` is the usual one for ``None``. ``stored`` is told of each transaction, with so many drafts
     (``per_transaction``), when it is safe: after a kill, the next load goes on behind it. Raises GraphError when the
     database fails.
@@ -67,9 +69,11 @@ def load_drafts(
     with connection.session(writing=True) as session:
         prepare_for_writing(session, kitchen)
         for batch in _batches(drafts, per_transaction):
-            taught = {one.name: (one, row) for one in batch if (row := _row(one, kitchen)) is not None}
+            rows = [(one, row) for one in batch if (row := _row(one, kitchen)) is not None]
+            taught = {one.name: (one, row) for one, row in rows}
             report = session.execute_write(_write, taught)
-            report += DraftsStored(left_out=len(batch) - len(report))
+            twice, left_out = len(rows) - len(taught), len(batch) - len(rows)
+            report += DraftsStored(replaced=twice, left_out=left_out)
             stored(report)
             total += report
     return total

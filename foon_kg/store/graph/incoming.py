@@ -14,12 +14,12 @@ class TooMuchCameError(OSError):
     """More bytes of an answer came than were to come; the connection is given up."""
 
 
-def _is_news(record: logging.LogRecord) -> bool:
+def _is_unexpected(record: logging.LogRecord) -> bool:
     """Say whether something that the driver logs is not what was done on purpose here."""
     return "TooMuchCameError" not in record.getMessage()
 
 
-logging.getLogger("neo4j.io").addFilter(_is_news)
+logging.getLogger("neo4j.io").addFilter(_is_unexpected)
 
 
 class _CountedSocket:
