@@ -20,8 +20,7 @@ def fatal(result: PlanResult, snapshot: Snapshot, kitchen: Kitchen = KITCHEN) ->
     """Return the fatal findings, as a person reads them; what was named as being there so may be taken so (C6)."""
 
     def is_there_so(finding):
-        ready = (kitchen.stands_ready(node.label, state) for node in finding.nodes for state in node.states)
-        return finding.rule == "C6" and any(ready)
+        return finding.rule == "C6" and any(map(kitchen.names_so, finding.nodes))
 
     found = judge(result, snapshot, kitchen).findings
     return [str(finding) for finding in found if not finding.minor and not is_there_so(finding)]
