@@ -3,6 +3,7 @@
 // param: posts LIST<MAP>
 // param: beside LIST<MAP>
 // param: cooked LIST<MAP>
+// column: done
 // mode: write
 CALL () {
   UNWIND $posts AS row
@@ -32,3 +33,4 @@ CALL () {
   WITH r WHERE r.count = 0
   DELETE r
 }
+RETURN count(*) AS done

@@ -6,6 +6,7 @@
 // param: places LIST<MAP>
 // param: appliances LIST<MAP>
 // param: states LIST<MAP>
+// column: done
 // mode: write
 CALL () {
   UNWIND $operators AS row
@@ -57,3 +58,4 @@ CALL () {
   WITH r WHERE r.count = 0
   DELETE r
 }
+RETURN count(*) AS done

@@ -3,6 +3,7 @@
 // param: kinds LIST<STRING>
 // param: forms LIST<STRING>
 // param: anything LIST<STRING>
+// column: done
 // mode: write
 CALL () {
   UNWIND $foods AS row
@@ -23,3 +24,4 @@ CALL () {
   UNWIND $anything AS name
   MERGE (:Matter {name: name})
 }
+RETURN count(*) AS done

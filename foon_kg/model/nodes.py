@@ -25,8 +25,11 @@ NodeSortKey = tuple[str, tuple[str, ...], tuple[str, ...], str, str]
 
 def content_key(*parts: object) -> str:
     """Return a 32-digit hexadecimal name for ``parts`` (JSON values), the same on every machine and run."""
-    text = json.dumps(parts, ensure_ascii=False, separators=(",", ":"))
-    return hashlib.blake2b(text.encode(), digest_size=16).hexdigest()
+    return hashlib.blake2b(_as_text(parts).encode(), digest_size=16).hexdigest()
+
+
+_as_text = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
+"""Made once: ``json.dumps`` makes an encoder at each call, and a FOON has a hash for each node and unit."""
 
 
 def _as_set(names: Iterable[str]) -> tuple[str, ...]:

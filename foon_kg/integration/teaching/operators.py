@@ -77,6 +77,8 @@ class Attested:
 
 
 def _first(sightings: Sequence[Sighting]) -> list[Sighting]:
+    if len(sightings) == 1:  # as of each unit that is looked at by itself
+        return list(sightings)
     return sorted(set(sightings), key=lambda seen: (seen.video, seen.position))[:MOST_SIGHTINGS]
 
 

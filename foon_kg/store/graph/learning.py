@@ -223,7 +223,11 @@ def _first(sightings: Iterable[KeptSighting]) -> list[str]:
 
 def _written(value: SightingValue) -> KeptSighting:
     """Return a sighting with its text: the values of a ``Sighting`` as JSON."""
-    return value[0], value[1], json.dumps(list(value), ensure_ascii=False, separators=(",", ":"))
+    return value[0], value[1], _as_text(value)
+
+
+_as_text = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
+"""Made once, as there is a text for each sighting."""
 
 
 def _read(text: str) -> KeptSighting:

@@ -12,6 +12,7 @@ import subprocess
 import tempfile
 import time
 from dataclasses import dataclass
+from importlib import resources
 from pathlib import Path
 
 import psutil
@@ -37,7 +38,7 @@ TRAINING = (
     "MATCH (a:Training {key: 1})-[:NEXT*1..9]->(b) WITH DISTINCT b ORDER BY b.key RETURN collect(b.key) AS keys",
     "MATCH (n:Training) WHERE n.even DETACH DELETE n",
 )
-"""What the recorded run is asked, beside foon-kg's own questions: a schema, writes, a path, an aggregation."""
+"""What the recorded run is asked, beside what foon-kg itself does: a schema, writes, a path, an aggregation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,12 +171,21 @@ def _sweep() -> None:
 
 
 def _train(settings: ConnectionSettings) -> None:
-    """Use the server as foon-kg does, so that the recording has seen the classes which that needs."""
+    """Use the server as foon-kg does, so that the recording has seen the classes which that needs.
+
+    A FOON is loaded, that of the demo: a first load would wait for those that plan and run its statements.
+    """
     import neo4j  # noqa: PLC0415 - slow to import, and needed only here
 
+    from foon_kg.loaders import read_paths  # noqa: PLC0415 - the same
+    from foon_kg.store.graph.connection import Connection  # noqa: PLC0415 - the same
+    from foon_kg.store.graph.loading import load  # noqa: PLC0415 - the same
     from foon_kg.store.graph.warming import warm  # noqa: PLC0415 - the same
 
     with neo4j.GraphDatabase.driver(settings.uri, auth=(settings.user, settings.password)) as driver:
         for query in TRAINING:
             driver.execute_query(neo4j.Query(query))
+    demo = Path(str(resources.files("foon_kg").joinpath("foon", "demo", "subgraphs")))
+    with Connection(settings) as connection:
+        load(connection, [result.subgraph for result in read_paths([demo]) if result.subgraph is not None])
     warm(settings)
