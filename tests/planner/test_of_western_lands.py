@@ -161,3 +161,23 @@ def test_tuna_in_pieces_comes_fresh_to_a_stew(steps):
 ])  # fmt: skip
 def test_ground_nuts_may_be_raw_and_a_cake_of_capri_needs_no_tomato(public_plans, dish_type, title, asked):
     assert public_plans(dish_type, title, *asked).units
+
+
+def test_mayonnaise_is_the_fat_of_a_batter_that_has_no_other(steps):
+    told = steps("cake", "", "flour:ground", "cocoa:ground", "baking soda:ground", "sugar:ground",
+                 "mayonnaise:creamy", "water:juice", "icing:creamy")  # fmt: skip
+    assert first(told, "mayonnaise", "beat") < motions(told).index("bake")
+    assert "icing" not in inside(told, "bake")
+
+
+def test_boiled_roots_are_cut_for_a_salad_and_no_cob_is_mixed_into_it(steps):
+    told = steps("salad", "Vinegret", "beetroot:boiled, diced", "potatoes:boiled, diced", "corn:cooked",
+                 "red onion:finely chopped", "sunflower oil:liquid")  # fmt: skip
+    assert first(told, "beetroot", "cook") < first(told, "beetroot", "dice")
+    assert not any("corn" in inputs and motion in {"peel", "husk"} for inputs, motion, _ in told)
+
+
+def test_no_bare_hand_peels_a_tomato(steps):
+    told = steps("soup", "Fish Soup", "fish:cut", "tomato:peeled", "onion:chopped", "fish stock:liquid",
+                 "olive oil:liquid")  # fmt: skip
+    assert all("knife" in inputs for inputs, motion, _ in told if motion == "peel" and "tomato" in inputs)
