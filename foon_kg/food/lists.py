@@ -6,7 +6,7 @@ together for one question of the program ("which foods are free", "which motions
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from functools import cache
 
 from foon_kg.food.shipped import shipped
@@ -16,6 +16,11 @@ from foon_kg.food.shipped import shipped
 def word_list(name: str) -> frozenset[str]:
     """Return the words of the list ``name``, as ``word_list("free foods")``; KeyError for a list that is not there."""
     return word_lists()[name]
+
+
+def names_in(name: str) -> Collection[str]:
+    """Return the names of the family of dishes ``name``, or the words of the list that is called so; else KeyError."""
+    return shipped("families")["families"].get(name) or word_list(name)
 
 
 def says(told: Iterable[str], what: str) -> bool:

@@ -12,10 +12,11 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, lru_cache
 from pathlib import Path
+from typing import Any
 
 from foon_kg.food.faults import FOODS, UTENSILS, malformed, unknown_targets
 from foon_kg.food.foods import FoodTable, make_room
-from foon_kg.food.lists import says, word_list
+from foon_kg.food.lists import names_in, says, word_list
 from foon_kg.food.parsing import Toml, dish_row, food_table, motion_row, needs_of, refused, state_row, utensil_rows
 from foon_kg.food.rows import Dish, Motion, State, Utensil
 from foon_kg.food.shipped import shipped
@@ -103,7 +104,11 @@ class Tables:
     @cached_property
     def dishes(self) -> Mapping[str, Dish]:
         """What defines each named dish."""
-        return {singular(name): dish_row(name, row) for name, row in self._dish_table["dishes"].items()}
+        rows: Mapping[str, Mapping[str, Any]] = self._dish_table["dishes"]
+        families = {
+            one: dish_row(one, row) for name, row in rows.items() if name[0] == "@" for one in names_in(name[1:])
+        }
+        return families | {singular(name): dish_row(name, row) for name, row in rows.items() if name[0] != "@"}
 
     @cached_property
     def unfinished(self) -> frozenset[str]:

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import names_in, word_list
 from foon_kg.food.rows import Food
 from foon_kg.food.shipped import shipped
 from foon_kg.food.words import any_stands_in, singular_word, words
@@ -29,6 +29,7 @@ _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(
 
 
 TABLES = (
+    "regional",
     "vegetables",
     "eggs",
     "handheld",
@@ -386,4 +387,4 @@ def _all_names(row: Mapping[str, Any], field: str) -> tuple[tuple[str, ...], ...
 
 def _names(text: str) -> list[tuple[str, ...]]:
     """Return the names that a text of the table stands for: itself, or all of a list."""
-    return [(one,) for one in sorted(word_list(text[1:]))] if text.startswith("@") else [tuple(words(text))]
+    return [tuple(one.split()) for one in sorted(names_in(text[1:]))] if text.startswith("@") else [tuple(words(text))]
