@@ -134,7 +134,16 @@ def _report(tree: TaskTree, foon: KnownFoon, kitchen: Kitchen) -> Report:
     asked = (wanted.object for wanted in (tree.recipe.ingredients if tree.recipe else ()))
     own = kitchen.with_foods(asked)
     report = judge(tree, foon, own.free_foods, own.lacks)
-    return replace(report, findings=tuple(finding for finding in report.findings if not _at_hand_so(finding, own)))
+    kept = tuple(finding for finding in report.findings if not _at_hand_so(finding, own))
+    return replace(report, findings=(*kept, *_too_few(tree, own)))
+
+
+def _too_few(tree: TaskTree, kitchen: Kitchen) -> Iterator[Finding]:
+    """Yield of what the tree takes more than there are in the kitchen that was named (C6)."""
+    from foon_kg.validation import Finding
+
+    for leaf, needed, there in kitchen.short_of(tree.units):
+        yield Finding("C6", f"{needed} are needed, and the kitchen that was named has {there}", None, (leaf,))
 
 
 def _at_hand_so(finding: Finding, kitchen: Kitchen) -> bool:

@@ -173,6 +173,22 @@ def leaves_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
     return tuple(leaves)
 
 
+def things_found(units: Iterable[TreeUnit]) -> dict[ObjectNode, tuple[int, ...]]:
+    """Return the numbers of the things that each node is before the first step; of trees without numbers nothing.
+
+    ``units`` are in the order of execution. Two bowls that are both found empty are two numbers of one node.
+    """
+    found: dict[ObjectNode, tuple[int, ...]] = {}
+    seen: set[int] = set()
+    for unit in units:
+        for node, thing, _ in unit.taken:
+            if thing is not None and thing not in seen:
+                seen.add(thing)
+                found[node] = (*found.get(node, ()), thing)
+        seen.update(one.thing for one in unit.made if one.thing is not None)
+    return found
+
+
 def newly_made(unit: TakesAndMakes) -> list[ObjectNode]:
     """Return the nodes that ``unit`` puts out and did not take: what was only held or passed on is none of them."""
     taken = set(unit.input_nodes)

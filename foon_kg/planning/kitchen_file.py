@@ -1,10 +1,10 @@
 """``--kitchen FILE``: what is at hand, as people write it down.
 
 Plain text, one thing a line (``onion`` · ``onion, chopped`` · ``chopped onion`` · ``egg in carton`` · ``knife`` ·
-``onion, chopped on cutting board`` · ``pot {rice}`` · ``oven, preheated``; ``#`` begins a comment), or JSON: a list of
-such texts, of object nodes as a plan result has them, or of recipe ingredients; or ``{"utensils": […], "foods": […]}``
-with one of the two or both. What that means is said in :mod:`foon_kg.plans.stock`. Nothing is decided silently: what
-was not understood as it stands comes with a note.
+``2 cutting boards`` · ``onion, chopped on cutting board`` · ``pot {rice}`` · ``oven, preheated``; ``#`` begins a
+comment), or JSON: a list of such texts, of object nodes as a plan result has them, or of recipe ingredients; or
+``{"utensils": […], "foods": […]}`` with one of the two or both. What that means is said in
+:mod:`foon_kg.plans.stock`. Nothing is decided silently: what was not understood as it stands comes with a note.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from __future__ import annotations
 import difflib
 import json
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
 from pathlib import Path
 
-from foon_kg.food import tables
+from foon_kg.food import singular, tables
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import Fields
@@ -26,6 +26,7 @@ from foon_kg.model.json_text import json_value
 from foon_kg.model.names import canonical
 from foon_kg.model.regular_files import read_text
 from foon_kg.planning.recipes import IngredientWords
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.stock import StockedKitchen
 from foon_kg.similarity import food_similarity
 
@@ -33,6 +34,7 @@ _PLACED = re.compile(
     r"^(?P<thing>.+?),?\s+(?P<relation>in|on|under)\s+(?:(?:an?|the)\s+)?(?P<place>[^,]+)$", re.IGNORECASE
 )
 _FILLED = re.compile(r"^(?P<vessel>[^{}]+?)\s*\{(?P<foods>[^{}]+)\}(?P<rest>.*)$")
+_NUMBERED = re.compile(r"^(?P<number>[1-9][0-9]{0,2})\s+(?P<thing>.+)$")
 _BULLET = re.compile(r"^[-*•]\s+")
 _CLOSE = 3
 """How many names are proposed for one that the FOON does not know."""
@@ -80,21 +82,46 @@ def read_kitchen(path: Path, words: IngredientWords) -> ReadKitchen:
 def kitchen_with(entries: Sequence[Entry], words: IngredientWords) -> ReadKitchen:
     """Return the kitchen in which just ``entries`` are at hand; ``words`` as for :func:`read_kitchen`."""
     reader = ThingReader(words)
+    entries = [reader.numbered(entry) for entry in entries]
     read = [reader.read(entry) for entry in entries]
     said: dict[str, set[str]] = {kind: set() for kind in (*_FIELDS, "")}
     for entry, (thing, _) in zip(entries, read, strict=True):
         said[entry.kind].add(thing.label)
     kitchen = words.kitchen.with_foods(said["foods"]).with_utensils(said["utensils"])
-    return ReadKitchen(StockedKitchen.of(kitchen, [thing for thing, _ in read]), tuple(n for _, ns in read for n in ns))
+    things = [thing for thing, _ in read]
+    numbers = _numbers(zip(things, (entry.number for entry in entries), strict=True), kitchen)
+    return ReadKitchen(StockedKitchen.of(kitchen, things, numbers), tuple(n for _, ns in read for n in ns))
+
+
+def _numbers(things: Iterable[tuple[ObjectNode, int | None]], kitchen: Kitchen) -> dict[str, int]:
+    """Return how many there are of each utensil that is numbered; ``things`` come with their numbers.
+
+    Of what is named by its name alone, without a number, there are as many as needed; what more is said of is one.
+    ``kitchen`` knows utensils.
+    """
+    said: dict[str, list[tuple[ObjectNode, int | None]]] = {}
+    for thing, number in things:
+        if kitchen.is_utensil(thing.label):
+            said.setdefault(singular(thing.label), []).append((thing, number))
+    return {name: sum(number or 1 for _, number in of_it) for name, of_it in said.items() if _are_numbered(of_it)}
+
+
+def _are_numbered(of_it: Sequence[tuple[ObjectNode, int | None]]) -> bool:
+    plain = any(number is None and thing == ObjectNode(thing.label) for thing, number in of_it)
+    return not plain and any(number is not None for _, number in of_it)
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One thing as it stands in a file: ``where``, under which field (``kind``, of JSON), as text or as a node."""
+    """One thing as it stands in a file: ``where``, under which field (``kind``, of JSON), as text or as a node.
+
+    ``number``: how many there are, where a JSON node says so; text says it itself.
+    """
 
     where: str
     value: str | ObjectNode
     kind: str = ""
+    number: int | None = None
 
 
 @dataclass(frozen=True)
@@ -102,6 +129,13 @@ class ThingReader:
     """Reads things in the words of one FOON."""
 
     words: IngredientWords
+
+    def numbered(self, entry: Entry) -> Entry:
+        """Return an entry with how many there are of it: ``2 cutting boards``; of a food a number says nothing."""
+        counted = _NUMBERED.match(entry.value) if isinstance(entry.value, str) else None
+        if counted is None or not self.words.kitchen.is_utensil(self._spoken(counted["thing"])[0].label):
+            return entry
+        return replace(entry, value=counted["thing"], number=int(counted["number"]))
 
     def read(self, entry: Entry) -> tuple[ObjectNode, tuple[str, ...]]:
         """Return the thing that an entry names, and notes on what was decided or is not known."""
@@ -230,7 +264,19 @@ def _json_entries(path: Path, text: str) -> Iterator[Entry]:
 
 
 def _json_entry(item: object, where: str, kind: str = "") -> Entry:
-    return Entry(where, _json_thing(item, where), kind)
+    return Entry(where, _json_thing(item, where), kind, _json_number(item, where))
+
+
+def _json_number(item: object, where: str) -> int | None:
+    """Return how many things a node is: as its ``count`` says, or the numbers of things that a plan gives it."""
+    if not isinstance(item, dict):
+        return None
+    fields = Fields(item, where)
+    if "count" in fields:
+        return max(fields.whole_number("count"), 1)
+    if "things" in fields:
+        return len(fields.items("things")) or None
+    return 1 if "thing" in fields and item["thing"] is not None else None
 
 
 def _json_thing(item: object, where: str) -> str | ObjectNode:

@@ -237,7 +237,7 @@ class PlannedRecipe:
                 return self._searched(attempt)
         if attempts:
             least = min(attempts, key=lambda one: len(one.missing))
-            raise shortage(least.missing, least.result.goal, self.kitchen, self.likes.stands_for)
+            raise shortage(least.missing, least.result, self.kitchen, self.likes.stands_for)
         raise self._no_way(troubles)
 
     @cached_property
@@ -354,7 +354,7 @@ class PlannedRecipe:
 
     def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:
         """Return the leaves that are not in the kitchen that a person named, nearest to the goal first."""
-        lacking = [node for node in result.kitchen if self.kitchen.lacks(node)]
+        lacking = self.kitchen.lacking(result.kitchen, result.units)
         units = [(unit.input_nodes, unit.output_nodes) for unit in result.units]
         return nearest_first(lacking, units, result.goal) if lacking else ()
 

@@ -14,10 +14,14 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from typing import TYPE_CHECKING, NamedTuple
 
 from foon_kg.food import State, Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
+
+if TYPE_CHECKING:
+    from foon_kg.model.tree import TreeUnit
 
 _PLACE_KEPT_AS_STATE = re.compile(r"\[[^\]]*\]$")
 _INSIDE = frozenset({None, "in", "from"})
@@ -31,6 +35,14 @@ class LeafFault(StrEnum):
     HELD = "a vessel that is no storage holds a food that is not beside it"
     PROCESSED = "a food in a processed state"
     MIXTURE = "a food made of other foods"
+
+
+class Short(NamedTuple):
+    """A leaf of which a tree needs so many (``needed``) as there are not: there are ``there`` called so."""
+
+    leaf: ObjectNode
+    needed: int
+    there: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,6 +123,15 @@ class Kitchen:
 
     def otherwise(self, _: ObjectNode) -> tuple[ObjectNode, ...]:
         """Return the things at hand that are called like a missing one, and are otherwise."""
+        return ()
+
+    def lacking(self, leaves: Iterable[ObjectNode], units: Iterable[TreeUnit]) -> list[ObjectNode]:
+        """Return the ``leaves`` of the tree of ``units`` that are not at hand, or not as often as it needs them."""
+        few = {short.leaf for short in self.short_of(units)}
+        return [leaf for leaf in leaves if leaf in few or self.lacks(leaf)]
+
+    def short_of(self, _: Iterable[TreeUnit]) -> tuple[Short, ...]:
+        """Return of what a tree needs more than there are, as a person numbered them, in the order of its leaves."""
         return ()
 
     def is_utensil(self, label: str) -> bool:

@@ -14,7 +14,7 @@ from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import Fields, JsonObject
 from foon_kg.model.node_json import node_from_json, node_to_json, recipe_from_json, recipe_to_json
-from foon_kg.model.tree import TaskTree, TreeUnit
+from foon_kg.model.tree import TaskTree, TreeUnit, things_found
 from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.progress import ProgressLine
 from foon_kg.plans.shortage import ShortageError, remedy
@@ -98,12 +98,15 @@ class PlanResult:
 
     def to_json(self) -> JsonObject:
         """Return the result as ``foon plan --json`` prints it."""
+        found = things_found(self.units)
         return {
             "recipe": recipe_to_json(self.recipe),
             "reference": self.reference.to_json(),
             "goal": node_to_json(self.goal),
             "units": [unit_to_json(unit) for unit in self.units],
-            "kitchen": [node_to_json(node) for node in self.kitchen],
+            "kitchen": [
+                node_to_json(node) | ({"things": list(found[node])} if node in found else {}) for node in self.kitchen
+            ],
             "substitutions": [substitution.to_json() for substitution in self.substitutions],
             "assumptions": [assumption.to_json() for assumption in self.assumptions],
             "progress_lines": [line.to_json() for line in self.progress_lines],

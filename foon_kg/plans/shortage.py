@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Sequence
+from typing import Protocol
 
 from foon_kg.food import singular
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import NoTreeError
 from foon_kg.model.knowledge import FAIR
+from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
 
 _TO_DO = ("get ", "buy or make ", "buy ")
@@ -27,17 +29,35 @@ class ShortageError(NoTreeError):
         self.missing = missing
 
 
+class Made(Protocol):
+    """What there is no kitchen for: the plan of a dish."""
+
+    @property
+    def goal(self) -> ObjectNode:
+        """The dish."""
+
+    @property
+    def units(self) -> Sequence[TreeUnit]:
+        """The steps, in the order of execution."""
+
+
 def shortage(
-    missing: tuple[ObjectNode, ...], goal: ObjectNode, kitchen: Kitchen, alike: Callable[[str, str], float]
+    missing: tuple[ObjectNode, ...], plan: Made, kitchen: Kitchen, alike: Callable[[str, str], float]
 ) -> ShortageError:
-    """Return the error for a tree of ``goal`` of which ``missing`` are not in the kitchen that a person named.
+    """Return the error for a ``plan`` of which the leaves ``missing`` are not in the kitchen that a person named.
 
     ``alike`` says how likely a cook is to accept the second food for the first (0 to 1).
     """
+    goal = plan.goal
+    few = {
+        one.leaf: f"{with_article(one.leaf.label)} ({one.needed} are needed, {one.there} there)"
+        for one in kitchen.short_of(plan.units)
+    }
     food = next((node.label for node in missing if kitchen.is_food(node)), None)
     leave = "" if food is None else f", or leave out the {food}{_there_like(food, kitchen, alike)}"
+    lacking = dict.fromkeys(few.get(node) or _called(node, kitchen) for node in missing)
     return ShortageError(
-        f"the kitchen lacks {_in_a_row(dict.fromkeys(_called(node, kitchen) for node in missing))} for {goal.label}",
+        f"the kitchen lacks {_in_a_row(lacking)} for {goal.label}",
         missing=missing,
         hint=f"{remedies(missing, kitchen)}{leave}. What is there after all has to be named as at hand.",
     )

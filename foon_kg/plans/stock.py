@@ -5,20 +5,24 @@ named everything is there, as C6 of the contract has it. Each thing is an object
 against: without a state it stands for a food in any state in which it is sold, or a utensil in any state; with
 states for these alone, be they processed ones. Without a place it may be anywhere, with a place it is there: what lies
 in or on a vessel is taken from there or not at all, and that vessel is not empty. A vessel that is named with contents
-holds just these. Storage (a bottle, a shaker) comes with the food that it holds, and what is in storage, or in a place
-like the fridge, may be taken out unsaid; free foods, and things like the faucet or a hand, are always there.
+holds just these. Storage (a
+bottle, a shaker) comes with the food that it holds, and what is in storage, or in a place like the fridge, may be taken
+out unsaid. Of a utensil there are as many as a person said, else as many as needed. Free foods, and things like the
+faucet or a hand, are always there.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass, fields, replace
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
 from typing import Self
 
 from foon_kg.food import singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
-from foon_kg.plans.kitchen import Kitchen, folded, is_place
+from foon_kg.model.tree import TreeUnit, things_found
+from foon_kg.plans.kitchen import Kitchen, Short, folded, is_place
 
 ALWAYS_THERE = word_list("always there")
 """What is there though nobody names it: places, running water, and hands."""
@@ -33,11 +37,15 @@ class StockedKitchen(Kitchen):
 
     utensils_named: tuple[ObjectNode, ...] | None = None
     foods_named: tuple[ObjectNode, ...] | None = None
+    numbers: Mapping[str, int] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, kitchen: Kitchen, things: Collection[ObjectNode]) -> Self:
-        """Return ``kitchen`` with just ``things`` in it: its utensils, if they name any, and its foods likewise."""
-        known = {field.name: getattr(kitchen, field.name) for field in fields(Kitchen)}
+    def of(cls, kitchen: Kitchen, things: Collection[ObjectNode], numbers: Mapping[str, int] | None = None) -> Self:
+        """Return ``kitchen`` with just ``things`` in it: its utensils, if they name any, and its foods likewise.
+
+        ``numbers`` say how many there are of a utensil (in the singular); of any other one there are as many as needed.
+        """
+        known = {one.name: getattr(kitchen, one.name) for one in fields(Kitchen)}
         utensils = tuple(thing for thing in things if kitchen.is_utensil(thing.label))
         foods = tuple(thing for thing in things if not kitchen.is_utensil(thing.label))
         free = tuple(ObjectNode(name) for name in sorted(kitchen.free_foods))
@@ -45,11 +53,12 @@ class StockedKitchen(Kitchen):
             **known,
             utensils_named=(*utensils, *_places_of(things, kitchen)) if utensils else None,
             foods_named=(*foods, *free) if foods else None,
+            numbers=dict(numbers or {}),
         )
 
     def with_things(self, things: Collection[ObjectNode]) -> Self:
         """Return this kitchen with ``things`` in it as well."""
-        return type(self).of(self, [*(self.utensils_named or ()), *(self.foods_named or ()), *things])
+        return type(self).of(self, [*(self.utensils_named or ()), *(self.foods_named or ()), *things], self.numbers)
 
     def with_foods(self, names: Iterable[str]) -> Kitchen:
         """Return the kitchen in which ``names`` are foods, also those named as utensils (a cooking spray)."""
@@ -106,6 +115,21 @@ class StockedKitchen(Kitchen):
         if any(self._is_as(thing, node) for thing in filter(_is_told, self._utensils_called(node.label))):
             return True
         return bool(self.foods_in(node)) and self._is_filled_so(node)
+
+    def short_of(self, units: Iterable[TreeUnit]) -> tuple[Short, ...]:
+        """Return of what the tree of ``units`` needs more than there are, as a person numbered them."""
+        found = [(node, len(things)) for node, things in things_found(units).items() if self._is_numbered(node)]
+        needed: Counter[str] = Counter()
+        for node, number in found:
+            needed[singular(node.label)] += number
+        leaves = {singular(node.label): node for node, _ in found}
+        numbers = ((leaf, needed[name], self.numbers[name]) for name, leaf in leaves.items())
+        return tuple(Short(leaf, number, there) for leaf, number, there in numbers if number > there)
+
+    def _is_numbered(self, node: ObjectNode) -> bool:
+        """Whether a person said how many there are of a utensil; what food is sold in comes with that."""
+        comes_with_food = self.is_storage(node.label) and bool(node.ingredients)
+        return self.is_utensil(node.label) and singular(node.label) in self.numbers and not comes_with_food
 
     def otherwise(self, node: ObjectNode) -> tuple[ObjectNode, ...]:
         """Return the things called like ``node`` that are otherwise: in another state, place or with contents."""

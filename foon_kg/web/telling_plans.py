@@ -23,6 +23,12 @@ class Thing(Node):
     container_thing: int | None = None
 
 
+class Found(Node):
+    """An object node that has to be there before; ``things`` are the numbers of all that are found so."""
+
+    things: list[int] | None = None
+
+
 class Step(BaseModel):
     """A unit of a plan: as the FOON has it or adapted, when it is done, and how near its evidence is.
 
@@ -217,7 +223,7 @@ class PlanTold(BaseModel):
     reference: Reference
     goal: Node
     units: list[Step]
-    kitchen: list[Node]
+    kitchen: list[Found]
     substitutions: list[SubstitutionTold]
     assumptions: list[AssumptionTold]
     progress_lines: list[Line]

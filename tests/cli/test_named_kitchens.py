@@ -63,6 +63,30 @@ def test_places_and_contents_are_said_in_words_and_believed(kitchen):
 
 
 @pytest.mark.slow
+def test_a_kitchen_says_how_many_and_one_too_few_is_told(kitchen):
+    def file(boards, name):
+        return kitchen(UTENSILS.replace("cutting board", boards), name)
+
+    two = foon("plan", *SALAD, "--kitchen", file("2 cutting boards", "two.txt"))
+    assert two.exit_code == 0, two.stderr
+    assert "2 x cutting board (empty)" in " ".join(two.stdout.split())
+    told = foon("plan", *SALAD, "--json").stdout
+    assert foon("check", "-", "--kitchen", file("cutting board", "any.txt"), stdin=told).exit_code == 0
+    one = file("1 cutting board", "one.txt")
+    refused = foon("plan", *SALAD, "--kitchen", one)
+    assert (refused.exit_code, "a cutting board (2 are needed, 1 there)" in refused.stderr) == (3, True)
+    judged = foon("check", "-", "--kitchen", one, stdin=told)
+    assert judged.exit_code == 1
+    assert "C6 cutting board (empty): 2 are needed, and the kitchen that was named has 1" in judged.stdout
+    board = {"label": "cutting board", "states": ["empty"]}
+    for said, code in ({"count": 1}, 3), ({"things": [4, 7]}, 0), ({"thing": 4}, 3), ({}, 0):
+        named = kitchen(
+            json.dumps([*UTENSILS.replace("cutting board\n", "").split("\n")[:-1], board | said]), "said.json"
+        )
+        assert foon("plan", *SALAD, "--kitchen", named).exit_code == code
+
+
+@pytest.mark.slow
 def test_the_kitchen_of_a_plan_is_a_kitchen_in_which_it_is_planned_again(kitchen):
     plain = json.loads(foon("plan", *SALAD, "--json").stdout)
     again = foon("plan", *SALAD, "--json", "--kitchen", kitchen(json.dumps(plain["kitchen"]), "kitchen.json"))

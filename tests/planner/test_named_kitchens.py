@@ -104,6 +104,29 @@ def test_what_is_named_in_a_vessel_fills_it_though_nobody_named_that():
     assert [thing.label for thing in error.missing] == ["bowl"]
 
 
+def numbered(**numbers):
+    names = {name.replace("_", " "): number for name, number in numbers.items()}
+    return StockedKitchen.of(KITCHEN, [node(thing) for thing in (*FOODS, *UTENSILS)], names)
+
+
+def test_a_plan_tells_how_many_of_a_thing_are_found_so():
+    result = plan(SNAPSHOT, WANTED, SETTINGS)
+    things = {entry["label"]: entry["things"] for entry in result.to_json()["kitchen"] if entry["label"] != "salt"}
+    first = {one.thing: one.node.label for unit in reversed(result.units) for one in unit.taken}
+    assert len(things["cutting board"]) == 2
+    assert all(first[number] == label for label, numbers in things.items() for number in numbers)
+
+
+def test_of_what_is_numbered_there_are_no_more():
+    kitchen = numbered(cutting_board=1)
+    with pytest.raises(ShortageError) as error:
+        plan(SNAPSHOT, WANTED, replace(SETTINGS, kitchen=kitchen))
+    assert [thing.label for thing in error.value.missing] == ["cutting board"]
+    assert "a cutting board (2 are needed, 1 there)" in error.value.message
+    enough = plan(SNAPSHOT, WANTED, replace(SETTINGS, kitchen=numbered(cutting_board=2, bowl=1)))
+    assert enough == plan(SNAPSHOT, WANTED, SETTINGS)
+
+
 def test_an_appliance_that_is_on_is_none_that_is_off():
     kitchen = StockedKitchen.of(KITCHEN, [node("pot(empty)@stove"), node("stove(on)")])
     assert kitchen.lacks(node("stove(off)"))

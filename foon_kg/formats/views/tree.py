@@ -33,7 +33,7 @@ from foon_kg.formats.views.words import (
 )
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.claims import Substitution
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import TreeUnit, things_found
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine
 from foon_kg.plans.result import PlanResult
@@ -64,7 +64,9 @@ def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
 
 def _beside_the_steps(tree: ShownTree, unseen: frozenset[str]) -> Iterator[RenderableType]:
     """Yield what there is to say of a tree besides its steps; foods that are ``unseen`` carry their sign."""
-    yield section("Kitchen", in_a_row((node_words(n, unseen) for n in _at_hand(tree.kitchen)), " · "))
+    found = things_found(tree.units)
+    there = (_numbered(node_words(n, unseen), len(found.get(n, ()))) for n in _at_hand(tree.kitchen))
+    yield section("Kitchen", in_a_row(there, " · "))
     if tree.substitutions:
         yield section("Substitutions", _substitutions(tree.substitutions))
     if tree.result and tree.result.assumptions:
@@ -73,6 +75,11 @@ def _beside_the_steps(tree: ShownTree, unseen: frozenset[str]) -> Iterator[Rende
         yield section("Nearer by their foods, and passed over", _passed_over(tree.result))
     if tree.lines:
         yield section("Progress of each ingredient", _progress(lives(tree.lines), unseen))
+
+
+def _numbered(words: Text, number: int) -> Text:
+    """Return the ``words`` of a thing, and how many of them are needed where one is not enough."""
+    return Text.assemble(f"{number} x ", words) if number > 1 else words
 
 
 def _at_hand(kitchen: Sequence[ObjectNode]) -> Iterator[ObjectNode]:
