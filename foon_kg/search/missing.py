@@ -13,7 +13,11 @@ from foon_kg.search.problem import NoWayError, SearchProblem
 
 def no_way(problem: SearchProblem, targets: Sequence[ObjectNode]) -> NoWayError:
     """Return the error that says why nothing makes any of the ``targets`` (at least one) of ``problem``."""
-    missing = tuple(dict.fromkeys(node for target in targets for node in missing_behind(problem, target)))
+    return lacking(targets, tuple(dict.fromkeys(n for target in targets for n in missing_behind(problem, target))))
+
+
+def lacking(targets: Sequence[ObjectNode], missing: tuple[ObjectNode, ...]) -> NoWayError:
+    """Return the error that says that nothing makes any of the ``targets`` for want of what is ``missing``."""
     goal = " or ".join(map(str, targets[:MOST_NAMED]))
     return NoWayError(
         f"nothing makes {goal}: missing {named(missing)}",

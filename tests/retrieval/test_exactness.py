@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
+
 import pytest
 from examples import examples
 from hypothesis import given
@@ -130,6 +132,32 @@ def test_what_is_missing_is_said_nearest_first():
         retrieve_tree(needs, GoalSought("salad"), KITCHEN, MotionCosts())
     assert caught.value.missing == (node("unicorn(caught)"),)
     assert caught.value.exit_code == 3
+
+
+def test_what_is_missing_is_what_the_nearest_of_all_trees_lacks():
+    needs = story(
+        "unicorn(tamed); dragon(fed) > mix > salad(mixed)",
+        "onion(whole); unicorn(caught) > mix > salad(mixed)",
+        "phoenix(old); griffin(old) > toss > salad(tossed)",
+    )
+    for by, weights in ((Criterion.UNITS, {}), (Criterion.SUCCESS, {"mix": 0.5, "toss": 0.1})):
+        with pytest.raises(NoWayError) as caught:
+            retrieve_tree(needs, GoalSought("salad", by=by), KITCHEN, MotionCosts(weights))
+        assert caught.value.missing == (node("unicorn(caught)"),)
+        assert caught.value.message == "nothing makes salad (mixed): missing unicorn (caught)"
+
+
+class _OnionAlone(Kitchen):
+    def has(self, node):
+        return node.label == "onion"
+
+
+def test_an_empty_bowl_is_missing_though_full_ones_are_emptied():
+    needs = story("bowl(empty); onion(whole) > put > bowl{onion}", "bowl{onion} > pour > bowl(empty); salad(mixed)")
+    onion_alone = _OnionAlone(**{field.name: getattr(KITCHEN, field.name) for field in fields(KITCHEN)})
+    with pytest.raises(NoWayError) as caught:
+        retrieve_tree(needs, GoalSought("salad"), onion_alone, MotionCosts())
+    assert caught.value.missing == (node("bowl(empty)"),)
 
 
 @pytest.mark.parametrize(
