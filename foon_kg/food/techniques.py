@@ -30,6 +30,7 @@ _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(
 
 TABLES = (
     "regional",
+    "lands",
     "vegetables",
     "eggs",
     "handheld",
@@ -170,7 +171,8 @@ class Work:
     ``states`` are what the whole is then, where the FOON shows several for its motion. ``phased``: foods join in the
     order of what they are. ``on_top``: what joins only lies on it. ``bath``: it is done in water that is poured off.
     ``always``: it is done even to one food that needs no work.
-    ``lifts``: flesh is lifted out of the rest; ``rejoins``: that comes to it again.
+    ``lifts``: flesh is lifted out of the rest; ``rejoins``: that comes to it again. ``thins``: what is dry gets water
+    there, unless something liquid is asked.
     """
 
     motion: str = ""
@@ -188,6 +190,7 @@ class Work:
     always: bool = False
     lifts: bool = False
     rejoins: bool = False
+    thins: bool = False
 
 
 @dataclass(frozen=True)
@@ -246,8 +249,15 @@ def techniques_called(dish_type: str, told: Iterable[str]) -> Iterator[Technique
 
 @cache
 def _technique_rows() -> tuple[tuple[str, Mapping[str, Any]], ...]:
-    """Return the name and the row of every technique, in the order of the tables."""
-    return tuple(row for table in TABLES for row in shipped(table)["techniques"].items())
+    """Return the name and the row of every technique, in the order of the tables.
+
+    Raises ValueError for lines that belong to no row.
+    """
+    rows = tuple(row for table in TABLES for row in shipped(table)["techniques"].items())
+    bare = [name for name, row in rows if row.keys() <= {"lines"} or "lines" not in row]
+    if bare:  # it would hold of every dish
+        raise ValueError(f"{bare[0]!r} has lines and no row, or a row and no lines")
+    return rows
 
 
 @cache

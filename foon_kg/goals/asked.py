@@ -20,6 +20,8 @@ SEASONS = word_list("only seasons")
 _BASES = ("dough", *sorted(word_list("carries what is stacked")))
 _WORKED_IN = word_list("is worked in")
 _FLESH = word_list("is flesh")
+_COARSE = word_list("keeps apart raw")
+_HOLDS = word_list("holds what is shaped")
 _BLENDED = word_list("is called blended")
 _SMOOTH = word_list("may be blended") | _BLENDED
 
@@ -55,6 +57,7 @@ class AskedFood:
     ``carries``: a dish is built on it. ``due``: it has to be cooked. ``base``: others are laid on it. ``ready_flesh``:
     it is flesh that needs no cooking (ham). ``runs``: it runs off with the water in which others are boiled.
     ``worked_in``: it may be kneaded or shaped with the rest. ``in_pieces``: it is asked cut, and is no spice or stock.
+    ``keeps_apart``: raw flesh in pieces, of which nothing can be shaped; ``holds``: it holds what is shaped together.
     """
 
     want: Want
@@ -67,6 +70,8 @@ class AskedFood:
     runs: bool
     worked_in: bool
     in_pieces: bool
+    keeps_apart: bool
+    holds: bool
 
     @classmethod
     def of(cls, want: Want, known: Tables) -> AskedFood:
@@ -84,6 +89,8 @@ class AskedFood:
             runs=is_a("liquid", "creamy", "egg") and not is_a("water", "fat"),
             worked_in=is_any(_WORKED_IN),
             in_pieces=known.state(want.asked).fineness > 0 and not is_a("spice", "stock"),
+            keeps_apart=flesh and is_any(_COARSE) and not is_any(_HOLDS) and not says(words(want.asked), "is ground"),
+            holds=is_any(_HOLDS),
         )
 
 

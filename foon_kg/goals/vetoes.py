@@ -6,6 +6,7 @@ Each reason is a sentence for people: explanations show it beside the dish that 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import takewhile
 
 from foon_kg.food.rows import Dish
 from foon_kg.goals.asked import Asked, AskedFood
@@ -44,13 +45,27 @@ def _against_company(food: AskedFood, join: Join, dish: Recorded) -> Iterator[st
 
 
 def _against_work(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
-    """Yield that a dish kneads or shapes cold what nobody would, as none of what it is built on has a place there."""
+    """Yield that a dish kneads or shapes cold what nobody would.
+
+    None of what it is built on has a place there, or it is raw flesh in pieces that nothing holds together.
+    """
     for spot in dish.worked_cold:
         foods = zip(asked.foods, joins, strict=True)
         inside = [(food, join) for food, join in foods if _comes_through(join.spot, spot)]
+        coarse = _coarse(inside, spot)
         if inside and not any(food.carries and join.slot is not None for food, join in inside):
             yield f"nothing of it is to be {spot.stage.motion}ed"
             return
+        if coarse:
+            yield f"{coarse} in pieces would be {spot.stage.motion}ed"
+            return
+
+
+def _coarse(inside: Sequence[tuple[AskedFood, Join]], spot: Spot) -> str:
+    """Return what raw flesh in pieces comes to a stage where nothing holds it together; ``""`` for none."""
+    if any(food.holds for food, _ in inside):
+        return ""
+    return next((join.want.label for food, join in inside if food.keeps_apart and _is_raw_at(join.spot, spot)), "")
 
 
 def _against_heat(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
@@ -94,3 +109,9 @@ def _not_hot(kind: Dish, dish: Recorded, asked: Asked) -> Iterator[str]:
 def _comes_through(joined: Spot, spot: Spot) -> bool:
     """Whether what joins at one stage is in the whole at another one."""
     return joined.stage is spot.stage or any(stage is spot.stage for stage in joined.after)
+
+
+def _is_raw_at(joined: Spot, spot: Spot) -> bool:
+    """Whether nothing heats what joins at one stage before it comes to another one."""
+    way = takewhile(lambda stage: stage is not spot.stage, (joined.stage, *joined.after))
+    return not any(stage.heats for stage in way)

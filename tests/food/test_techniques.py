@@ -11,7 +11,17 @@ import pytest
 from foon_kg.food import tables
 from foon_kg.food.lists import word_lists
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques, ways, works
+from foon_kg.food.techniques import (
+    Around,
+    Foods,
+    Part,
+    Technique,
+    _technique_rows,
+    preparations,
+    techniques,
+    ways,
+    works,
+)
 from foon_kg.food.words import words
 
 ROWS = (*techniques(), *(row for when in ("ways", "dipped", "flesh", "warmed", "blended") for row in ways(when)))
@@ -151,3 +161,12 @@ def test_no_name_stands_twice_in_a_row_of_a_table(field):
         if count > 1
     ]
     assert twice == []
+
+
+def test_lines_that_belong_to_no_row_are_refused(monkeypatch):
+    bare = {"techniques": {"a misspelt name": {"lines": {"dish": ["bake: *"]}}}}
+    monkeypatch.setattr("foon_kg.food.techniques.shipped", lambda _: bare)
+    _technique_rows.cache_clear()
+    with pytest.raises(ValueError, match="a misspelt name"):
+        _technique_rows()
+    _technique_rows.cache_clear()

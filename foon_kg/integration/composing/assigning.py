@@ -150,10 +150,11 @@ class _Assigner:
         """Put what the recipe says is for a ``line`` where one of its ``requests`` means it, else at the first one."""
         poured = line in word_list("is poured over what lies below")
         for join in self.joins:
-            below = poured and join.want.facts.is_any(word_list("lies below what is poured"))
+            below = poured and _lies_below(join.want)
             if self._line(join) == line and not below:
+                unnamed = requests[0]._replace(foods=Foods(("*",)))  # it is there, and prepared as no other food
                 request = next(
-                    (request for request in requests if means(request.foods, join.want, self.around)), requests[0]
+                    (request for request in requests if means(request.foods, join.want, self.around)), unnamed
                 )
                 self._put(join, request)
                 self.taken[join.want.number] = line
@@ -224,6 +225,12 @@ class _Assigner:
         """Put foods at a stage of a line of which the recipe says what is for it, unless that joins at this stage."""
         if not any(one.part is request.part and one.join.want.part in self.named_lines for one in self.once.values()):
             self.assign(request)
+
+
+def _lies_below(want: Want) -> bool:
+    """Whether something is poured over a food: rice, say, or an egg that is fried."""
+    egg = want.facts.is_a("egg") and want.make in word_list("is an egg done by itself")
+    return egg or want.facts.is_any(word_list("lies below what is poured"))
 
 
 def _after_heat(parts: Sequence[Part]) -> Sequence[Part]:

@@ -27,7 +27,7 @@ from foon_kg.integration.composing.assigning import MAIN, assigned, has_its_food
 from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
 from foon_kg.integration.teaching.forms import form_of
-from foon_kg.integration.teaching.frames import BATH, Asked, LiftedOut, Line, Phase, Rejoined, Slot, Stage
+from foon_kg.integration.teaching.frames import BATH, THINNED, Asked, LiftedOut, Line, Phase, Rejoined, Slot, Stage
 
 
 def technique_for(
@@ -174,8 +174,9 @@ class _Placed:
     def _stage(self, part: Part) -> Stage:
         work = works()[part.stage]
         adds, lone = self._adds(part)
+        water = (BATH,) if work.bath else (THINNED,) if work.thins else ()
         stage = _kind_of(work)(
-            (BATH, *adds) if work.bath else adds, work.motion, work.does, work.tools, part.vessel or work.vessel,
+            (*water, *adds), work.motion, work.does, work.tools, part.vessel or work.vessel,
             work.relation, work.appliance, work.source, self._label(part, work.label), work.states, 0,
         )  # fmt: skip
         self.stages[id(part)] = stage

@@ -140,7 +140,7 @@ class Course:
     def has_liquid(self, stages: Sequence[Stage]) -> bool:
         """Return whether a liquid to cook in is there at the last of ``stages``."""
         for join in self.plan.joins:
-            if join.want.facts.is_a("cooking liquid") and any(join.spot.stage is s for s in self._until(stages[-1])):
+            if join.want.facts.is_a("cooking liquid") and any(join.spot.stage is s for s in self.until(stages[-1])):
                 return True
         return self._water_slot(stages)
 
@@ -155,7 +155,8 @@ class Course:
         liquid = word_list("swells what is dry")
         return any(id(one.spot.stage) in there and one.want.facts.is_of(*liquid) for one in self.plan.joins)
 
-    def _until(self, last: Stage) -> list[Stage]:
+    def until(self, last: Stage) -> list[Stage]:
+        """Return the stages that are done before ``last``, those of the lines that join them too, and that itself."""
         found: list[Stage] = []
 
         def walk(line: Line) -> bool:
@@ -172,7 +173,7 @@ class Course:
 
     def _water_slot(self, stages: Sequence[Stage]) -> bool:
         last = stages[-1]
-        return any(slot.food == "water" for stage in self._until(last) for slot in stage.slots)
+        return any(slot.food == "water" for stage in self.until(last) for slot in stage.slots)
 
     def alive(self, line: Line) -> bool:
         """Return whether any of the asked foods joins ``line``."""

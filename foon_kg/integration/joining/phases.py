@@ -284,10 +284,10 @@ class _Phaser:
         """Return the free water of the video where something has to cook in it that is not fried."""
         if any_is(self.plan.joins, "water"):
             return None
-        one_pot = self.plan.one_pot
-        if fat and not one_pot and not any(_has_to_boil_here(join.want) for join in vessel.joins):
+        one_pot, boils = self.plan.one_pot, any(_has_to_boil_here(join.want) for join in vessel.joins)
+        if fat and not one_pot and not boils:
             return None
-        if vessel.water is None and one_pot:
+        if vessel.water is None and (one_pot or boils):
             return Slot("water", "water")  # there is no such dish without a liquid
         return vessel.water
 

@@ -200,7 +200,13 @@ class Precooking:
         stage = join.spot.stage
         if not isinstance(stage, Phase):
             return True
-        return not join.want.cooked and (stage.bath or self.course.swells_there(join))
+        wet = stage.bath or self.course.swells_there(join) or self._simmers_on(stage)
+        return not join.want.cooked and wet
+
+    def _simmers_on(self, stage: Stage) -> bool:
+        """Whether all of a dish goes on simmering at a stage, in a liquid that came before."""
+        before = self.course.until(stage)[:-1]
+        return self.plan.one_pot and "liquid" in stage.does and any(self.course.has_liquid([one]) for one in before)
 
     def _gets_done_there(self, join: Join, due: Collection[str]) -> bool:
         """Whether heat where a food joins, or later, makes it as it is asked."""

@@ -18,7 +18,7 @@ from foon_kg.integration.joining.course import MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.spots import Join, only_carries
 from foon_kg.integration.making.turns import Turn
 from foon_kg.integration.teaching.forms import form_of
-from foon_kg.integration.teaching.frames import BATH, HEATS, Line, Phase, Slot, Stage
+from foon_kg.integration.teaching.frames import BATH, HEATS, THINNED, Line, Phase, Slot, Stage
 
 
 class Stages:
@@ -159,6 +159,8 @@ class Stages:
             return False
         if BATH not in free and self._is_asked("water"):
             return False
+        if THINNED in free:
+            return not any(join.want.facts.is_a("liquid", "creamy", "egg") for join in self._joins_of(stage))
         return isinstance(stage, Phase) or self._is_wetted(stage)
 
     def _is_wetted(self, stage: Stage) -> bool:

@@ -29,6 +29,9 @@ class Slot:
 BATH = Slot("water", "water", ("boiling",))
 """Water in which something is boiled that is taken out of it, whatever else water is asked for."""
 
+THINNED = Slot("water", "water", ("liquid",))
+"""Water that makes what is dry a batter, where nothing liquid is asked for that."""
+
 
 HEATS = frozenset({"heat", "warm"})
 """What a stage does that makes things hot, be they cooked by it or only warmed."""
