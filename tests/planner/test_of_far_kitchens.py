@@ -74,3 +74,16 @@ def test_ground_nuts_may_stay_raw(steps):
     told = steps("sauce", "Skordalia", "floury potatoes:cut", "garlic:crushed", "olive oil:liquid",
                  "lemon:juice", "almonds:ground")  # fmt: skip
     assert "almonds" in inside(told, "blend")
+
+
+def test_what_is_asked_soaked_lies_in_water(steps):
+    told = steps("chicken", "Chicken Curry", "chicken:cut", "dried red chillies:soaked", "onion:chopped", "oil:liquid",
+                 "coconut milk:liquid")  # fmt: skip
+    assert "dried red chillies" in {food for inputs, motion, _ in told if motion == "soak" for food in inputs}
+
+
+def test_minced_meat_that_is_asked_chilled_is_raw(steps):
+    told = steps("meatball", "Bakso", "ground beef:chilled", "tapioca starch:powder", "egg white:uncooked",
+                 "beef broth:liquid", "scallions:sliced")  # fmt: skip
+    assert first(told, "ground beef", "mix") < motions(told).index("simmer")
+    assert "cook" not in motions(told)[: motions(told).index("mix")]

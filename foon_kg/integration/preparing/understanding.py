@@ -144,7 +144,8 @@ def _is_had_so(facts: Food, row: State) -> bool:
 
 def _as_had(want: Want, plain: str, known: Tables, operators: Operators) -> Want:
     """Return a food that is asked as it is had: so, as it is sold (``plain``), or with what is still to be done."""
-    if want.asked in word_list("only what was cooked is so") and {"cook", "boil"} & owed(want, known):
+    raw = want.facts.is_any(word_list("is chilled raw"))
+    if not raw and want.asked in word_list("only what was cooked is so") and {"cook", "boil"} & owed(want, known):
         return replace(want, cooked=True)
     if want.asked in word_list("is only made warm") and want.facts.is_any(word_list("is warmed alone")):
         return replace(want, make=want.asked)
