@@ -87,3 +87,21 @@ def test_minced_meat_that_is_asked_chilled_is_raw(steps):
                  "beef broth:liquid", "scallions:sliced")  # fmt: skip
     assert first(told, "ground beef", "mix") < motions(told).index("simmer")
     assert "cook" not in motions(told)[: motions(told).index("mix")]
+
+
+def test_char_siu_lies_in_its_marinade_and_is_baked(steps):
+    told = steps("pork", "Char Siu", "pork neck:whole", "hoisin sauce:sauce", "soy sauce:liquid", "honey:thick liquid",
+                 "five-spice powder:ground")  # fmt: skip
+    assert first(told, "pork neck", "mix") < motions(told).index("chill") < motions(told).index("bake")
+
+
+def test_wontons_are_filled_before_they_come_into_their_broth(steps):
+    told = steps("noodle", "Wonton Noodle Soup", "egg noodles:fresh", "wonton wrappers:whole", "pork mince:raw",
+                 "soy sauce:liquid", "chicken bouillon powder:powder")  # fmt: skip
+    assert first(told, "wonton wrappers", "fold and pinch") < motions(told).index("simmer")
+
+
+def test_meat_for_pasta_is_stewed_with_its_roots(steps):
+    told = steps("pasta", "Pasta alla Genovese", "ziti:broken", "beef chuck:cut", "onions:sliced",
+                 "carrot:finely chopped", "olive oil:liquid", "white wine:dry", "Pecorino:grated")  # fmt: skip
+    assert inside(told, "simmer") >= {"beef chuck", "carrot", "onions"}
