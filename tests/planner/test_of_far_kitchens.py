@@ -99,9 +99,3 @@ def test_wontons_are_filled_before_they_come_into_their_broth(steps):
     told = steps("noodle", "Wonton Noodle Soup", "egg noodles:fresh", "wonton wrappers:whole", "pork mince:raw",
                  "soy sauce:liquid", "chicken bouillon powder:powder")  # fmt: skip
     assert first(told, "wonton wrappers", "fold and pinch") < motions(told).index("simmer")
-
-
-def test_meat_for_pasta_is_stewed_with_its_roots(steps):
-    told = steps("pasta", "Pasta alla Genovese", "ziti:broken", "beef chuck:cut", "onions:sliced",
-                 "carrot:finely chopped", "olive oil:liquid", "white wine:dry", "Pecorino:grated")  # fmt: skip
-    assert inside(told, "simmer") >= {"beef chuck", "carrot", "onions"}
