@@ -75,7 +75,6 @@ hypothesis.settings.load_profile("untimed")
 
 def pytest_configure(config: pytest.Config) -> None:
     """Make the folder in which the workers of this run agree on one server, or each keeps its own."""
-    gc.disable()  # what is collected stays: to look for garbage in it was a quarter of the time that it took
     if not hasattr(config, "workerinput") or OWN_SERVERS:
         os.environ[SESSION_FOLDER] = tempfile.mkdtemp(prefix="foon-kg-test-")
         os.environ.setdefault("JAVA_TOOL_OPTIONS", QUICKLY_COMPILED)
@@ -95,6 +94,21 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
             stop()
     shutil.rmtree(folder)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Iterator[None]:
+    """Look for no garbage while tests are collected: they stay, and to look at them took a quarter of the time.
+
+    After that it is looked for again, but seldom, and not among the ten thousand tests that stay to the end.
+    """
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.set_threshold(100_000, 50, 100)
+        gc.enable()
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -151,13 +165,7 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object | 
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:
-    """Refuse to run where pytest-xdist does not keep that group together: the tests would erase each other's graph.
-
-    From here on garbage is looked for again, but seldom, and not among the ten thousand tests that stay to the end.
-    """
-    gc.freeze()
-    gc.set_threshold(100_000, 50, 100)
-    gc.enable()
+    """Refuse to run where pytest-xdist does not keep that group together: the tests would erase each other's graph."""
     if getattr(session.config.option, "loadgroup", False) and not OWN_SERVERS:
         apart = [item.nodeid for item in session.items if item.get_closest_marker("neo4j") and "@" not in item.nodeid]
         if apart:
