@@ -151,7 +151,8 @@ class ThingReader:
         if filled is not None:
             thing, notes = self._spoken(f"{filled['vessel']}{filled['rest']}")
             names = filter(None, (name.strip() for name in filled["foods"].split(",")))
-            return replace(thing, ingredients=tuple(self.words.label(name) for name in names)), notes
+            held = tuple(self.words.label(name) for name in names)
+            return replace(thing, ingredients=held), notes + [n for one in held for n in self._unknown(ObjectNode(one))]
         placed = _PLACED.match(text)
         place = self._utensil(placed["place"]) if placed else None
         if placed is None or place is None:
@@ -196,7 +197,7 @@ class ThingReader:
             return None
         return folded if row is None else row.written
 
-    def _unknown(self, thing: ObjectNode, kind: str) -> Iterator[str]:
+    def _unknown(self, thing: ObjectNode, kind: str = "") -> Iterator[str]:
         """Yield the note that the FOON does not know ``thing``, if so; ``kind`` says under which heading it stands."""
         may_be_food = kind != "utensils"
         if self.words.kitchen.is_utensil(thing.label) or (may_be_food and canonical(thing.label) in self._foods):
@@ -268,12 +269,18 @@ def _json_entry(item: object, where: str, kind: str = "") -> Entry:
 
 
 def _json_number(item: object, where: str) -> int | None:
-    """Return how many things a node is: as its ``count`` says, or the numbers of things that a plan gives it."""
+    """Return how many things a node is: as its ``count`` says, or the numbers of things that a plan gives it.
+
+    Raises ReadError for a ``count`` below 1.
+    """
     if not isinstance(item, dict):
         return None
     fields = Fields(item, where)
     if "count" in fields:
-        return max(fields.whole_number("count"), 1)
+        count = fields.whole_number("count")
+        if count < 1:
+            raise ReadError(f"{where}: “count” should be at least 1, found {count}", hint="Leave it out.")
+        return count
     if "things" in fields:
         return len(fields.items("things")) or None
     return 1 if "thing" in fields and item["thing"] is not None else None
