@@ -5,10 +5,9 @@ named everything is there, as C6 of the contract has it. Each thing is an object
 against: without a state it stands for a food in any state in which it is sold, or a utensil in any state; with
 states for these alone, be they processed ones. Without a place it may be anywhere, with a place it is there: what lies
 in or on a vessel is taken from there or not at all, and that vessel is not empty. A vessel that is named with contents
-holds just these. Storage (a
-bottle, a shaker) comes with the food that it holds, and what is in storage, or in a place like the fridge, may be taken
-out unsaid. Of a utensil there are as many as a person said, else as many as needed. Free foods, and things like the
-faucet or a hand, are always there.
+holds just these. Storage (a bottle, a shaker) comes with the food that it holds, and what is in storage, or in a place
+like the fridge, may be taken out unsaid. Of a utensil there are as many as a person said, else as many as needed. Free
+foods, and things like the faucet or a hand, are always there.
 """
 
 from __future__ import annotations
