@@ -35,9 +35,9 @@ EXAMPLES = examples(
 
 
 _OTHER_FORMS = (
+    ("--enumerate", "--foon", "--explain"),
     ("--json", "--foon", "--explain"),
     ("--output", "--foon", "--explain", "--enumerate"),
-    ("--enumerate", "--foon", "--explain"),
     ("--recipes", "--foon", "--explain", "--enumerate"),
 )
 """Rows of options of which each asks for another form of the answer."""
