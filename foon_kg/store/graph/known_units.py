@@ -17,8 +17,12 @@ _SIGHTING_FIELDS = len(dataclasses.fields(Sighting))
 def known_units(row: KnownUnitsRow) -> Iterator[KnownUnit]:
     """Return the units of a ``row``, in no order, each written as its first sighting has it, as the snapshot does.
 
-    A unit that somebody removed while the database answered comes without anything, and is left out.
+    A unit that somebody removed while the database answered comes without anything, and is left out; so is a sighting
+    whose edge went meanwhile and left no properties.
     """
+    for unit in row.units:
+        if unit[-1]:
+            unit[-1][:] = [sighting for sighting in unit[-1] if sighting[_SIGHTING_FIELDS] is not None]
     there = (unit for unit in row.units if unit[0] is not None and unit[-1])
     return map(_Writing([node for node in row.nodes if node[0] is not None]).unit, there)
 
