@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from copy import deepcopy
+
 import pytest
 
 from foon_kg.cli.demo import demo_subgraphs
@@ -14,6 +16,45 @@ from foon_kg.store.graph.rows import KnownUnitsRow
 def test_a_unit_that_goes_while_the_graph_answers_is_left_out():
     gone = (None, None, None, [], [], [])
     assert list(known_units(KnownUnitsRow([(None, None, None, None)], [gone], []))) == []
+
+
+def edges_without_properties(_, unit):
+    for sighting in unit[-1]:
+        sighting[1:] = [None] * (len(sighting) - 1)
+
+
+def an_input_less(_, unit):
+    unit[3].pop()
+
+
+def an_output_less(_, unit):
+    unit[4].pop()
+
+
+def no_sightings(_, unit):
+    unit[-1].clear()
+
+
+def a_node_untold(row, unit):
+    row.nodes[:] = [node for node in row.nodes if node[0] != unit[4][0]]
+
+
+@pytest.mark.neo4j
+@pytest.mark.parametrize("torn", [edges_without_properties, an_input_less, an_output_less, no_sightings, a_node_untold])
+def test_what_goes_while_the_graph_answers_takes_nothing_else_with_it(connection, torn):
+    load(connection, demo_subgraphs())
+    with connection.session() as session:
+        keys = session.run("MATCH (m:Motion) RETURN m.key AS key ORDER BY key").value()
+        told = session.run(named_query("known_units").text, keys=keys).single(strict=True).data()
+    whole = {known.unit.key: known for known in known_units(KnownUnitsRow(**deepcopy(told)))}
+    assert whole.keys() == set(keys)
+    for place in range(0, len(keys), 17):
+        row = KnownUnitsRow(**deepcopy(told))
+        torn(row, row.units[place])
+        left = {known.unit.key: known for known in known_units(row)}
+        assert row.units[place][0] not in left
+        assert all(known == whole[key] for key, known in left.items())
+        assert torn is a_node_untold or len(left) == len(keys) - 1
 
 
 def memory_for(connection, keys):

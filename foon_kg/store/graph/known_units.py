@@ -15,16 +15,16 @@ _SIGHTING_FIELDS = len(dataclasses.fields(Sighting))
 
 
 def known_units(row: KnownUnitsRow) -> Iterator[KnownUnit]:
-    """Return the units of a ``row``, in no order, each written as its first sighting has it, as the snapshot does.
+    """Yield the units of a ``row``, in no order, each written as its first sighting has it, as the snapshot does.
 
-    A unit that somebody removed while the database answered comes without anything, and is left out; so is a sighting
-    whose edge went meanwhile and left no properties.
+    Neo4j answers with what is committed at each moment: of what somebody removed while it answered come a unit without
+    its properties, edges without theirs, or numbers of nodes that are not told. Such a unit, or sighting, is left out.
     """
+    writing = _Writing([node for node in row.nodes if node[0] is not None])
     for unit in row.units:
-        if unit[-1]:
-            unit[-1][:] = [sighting for sighting in unit[-1] if sighting[_SIGHTING_FIELDS] is not None]
-    there = (unit for unit in row.units if unit[0] is not None and unit[-1])
-    return map(_Writing([node for node in row.nodes if node[0] is not None]).unit, there)
+        sightings = sorted((seen for seen in unit[-1] if None not in _sides_of(seen)), key=itemgetter(0, 1))
+        if unit[0] is not None and sightings and writing.is_whole(unit, sightings[0]):
+            yield writing.unit(unit, sightings)
 
 
 class _Writing:
@@ -40,10 +40,16 @@ class _Writing:
         self.nodes = tuple(map(_node, ordered))
         self.participants: dict[tuple[int, bool, str], Participant] = {}
 
-    def unit(self, value: KnownUnitValue) -> KnownUnit:
-        key, verb, accepts_any, inputs, outputs, sightings = value
-        sightings.sort(key=itemgetter(0, 1))
-        ranks_in, moving_in, dish_in, ranks_out, moving_out, dish_out = sightings[0][_SIGHTING_FIELDS:]
+    def is_whole(self, value: KnownUnitValue, first: Sequence[Any]) -> bool:
+        """Whether the nodes of a unit are all there that its ``first`` sighting counts."""
+        inputs, outputs, sides = value[3], value[4], _sides_of(first)
+        counted = len(set(sides[0])) == len(inputs) and len(set(sides[3])) == len(outputs)
+        return counted and self.place.keys() >= {*inputs, *outputs}
+
+    def unit(self, value: KnownUnitValue, sightings: Sequence[Sequence[Any]]) -> KnownUnit:
+        """Return a unit with its ``sightings``, the first of which it is written as."""
+        key, verb, accepts_any, inputs, outputs, _ = value
+        ranks_in, moving_in, dish_in, ranks_out, moving_out, dish_out = _sides_of(sightings[0])
         unit = FunctionalUnit(
             self._side(inputs, ranks_in, moving_in, dish_in),
             verb,
@@ -65,6 +71,11 @@ class _Writing:
         if found is None:
             found = self.participants[place, moves, dish] = Participant(self.nodes[place], moves, dish or None)
         return found
+
+
+def _sides_of(sighting: Sequence[Any]) -> Sequence[Any]:
+    """Return the ranks, the moving ones and the dish types of the inputs, then those of the outputs."""
+    return sighting[_SIGHTING_FIELDS:]
 
 
 def _sighting(values: Sequence[Any]) -> Sighting:
