@@ -1,6 +1,5 @@
 // Adds to the counts of how often a food is made and used in a state; a pair that reaches nothing is forgotten.
 // param: rows LIST<MAP>
-// column: done
 // mode: write
 UNWIND $rows AS row
 MERGE (i:Ingredient {name: row.label})
@@ -10,4 +9,3 @@ SET seen.made = coalesce(seen.made, 0) + row.made, seen.used = coalesce(seen.use
 WITH seen
 WHERE seen.made = 0 AND seen.used = 0
 DELETE seen
-RETURN count(*) AS done

@@ -3,7 +3,6 @@
 // param: posts LIST<MAP>
 // param: beside LIST<MAP>
 // param: cooked LIST<MAP>
-// column: done
 // mode: write
 CALL () {
   UNWIND $posts AS row
@@ -33,4 +32,3 @@ CALL () {
   WITH r WHERE r.count = 0
   DELETE r
 }
-RETURN count(*) AS done

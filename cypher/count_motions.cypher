@@ -1,6 +1,5 @@
 // Adds to the counts of how many units make a state with a verb; a pair that reaches nothing is forgotten.
 // param: rows LIST<MAP>
-// column: done
 // mode: write
 UNWIND $rows AS row
 MERGE (s:State {name: row.state})
@@ -10,4 +9,3 @@ SET made.count = coalesce(made.count, 0) + row.count
 WITH made
 WHERE made.count = 0
 DELETE made
-RETURN count(*) AS done

@@ -6,7 +6,6 @@
 // param: places LIST<MAP>
 // param: appliances LIST<MAP>
 // param: states LIST<MAP>
-// column: done
 // mode: write
 CALL () {
   UNWIND $operators AS row
@@ -58,4 +57,3 @@ CALL () {
   WITH r WHERE r.count = 0
   DELETE r
 }
-RETURN count(*) AS done

@@ -2,7 +2,6 @@
 // first seen: of each operator, named once, the matters that it is known to be done to, and those that are new with it.
 // What no unit does any more is forgotten.
 // param: rows LIST<MAP>
-// column: done
 // mode: write
 UNWIND $rows AS row
 MATCH (o:Operator {key: row.operator})
@@ -20,4 +19,3 @@ CALL (o, row) {
   WHERE d.units = 0
   DELETE d
 }
-RETURN count(*) AS done

@@ -1,7 +1,6 @@
 // Makes frames: of each its stages, the lines that they are in, and the slots at which foods join them. Each frame may be
 // named once. Stages are named by their place in the list; stages of one line follow one another.
 // param: frames LIST<MAP>
-// column: done
 // mode: write
 UNWIND $frames AS row
 MATCH (o:Object {key: row.goal}), (v:Video {name: row.video})
@@ -35,4 +34,3 @@ CALL (row, stages) {
   CREATE (joined)-[:HAS_SLOT {place: slot.place}]->(s:Slot)-[:TAKES]->(m)
   SET s = slot.properties
 }
-RETURN count(*) AS done

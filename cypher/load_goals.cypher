@@ -1,6 +1,5 @@
 // Marks goal nodes with their dish type, once for each video that says so, and with the foods they are made of.
 // param: goals LIST<MAP>
-// column: done
 // mode: write
 UNWIND $goals AS row
 MATCH (o:Object {key: row.key})
@@ -10,4 +9,3 @@ WITH DISTINCT o
 UNWIND o.ingredients AS name
 MERGE (i:Ingredient {name: name})
 MERGE (o)-[:MADE_OF]->(i)
-RETURN count(*) AS done

@@ -3,7 +3,6 @@
 // param: kinds LIST<STRING>
 // param: forms LIST<STRING>
 // param: anything LIST<STRING>
-// column: done
 // mode: write
 CALL () {
   UNWIND $foods AS row
@@ -24,4 +23,3 @@ CALL () {
   UNWIND $anything AS name
   MERGE (:Matter {name: name})
 }
-RETURN count(*) AS done

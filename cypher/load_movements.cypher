@@ -1,7 +1,6 @@
 // Adds to the counts of how many sightings of a unit show its objects moving. Each unit may be named once; where it is gone,
 // nothing is counted, and where nothing moves any more, the edge says nothing.
 // param: rows LIST<MAP>
-// column: done
 // mode: write
 UNWIND $rows AS row
 MATCH (m:Motion {key: row.unit})
@@ -17,4 +16,3 @@ CALL (m, row) {
   WITH r, coalesce(r.moving, 0) + one.count AS moving
   SET r.moving = CASE WHEN moving > 0 THEN moving END
 }
-RETURN count(*) AS done

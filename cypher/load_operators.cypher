@@ -1,7 +1,6 @@
 // Makes the operators that are not there yet, and ties to them the units that attest them, which are new. What a unit is
 // done to and what it changes stands on its tie. Each operator may be named once.
 // param: operators LIST<MAP>
-// column: done
 // mode: write
 UNWIND $operators AS row
 MERGE (o:Operator {key: row.key})
@@ -12,4 +11,3 @@ CALL (o, row) {
   MATCH (m:Motion {key: unit.key})
   CREATE (o)-[:ATTESTED_BY {done_to: unit.done_to, changes: unit.changes}]->(m)
 }
-RETURN count(*) AS done

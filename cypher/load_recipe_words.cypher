@@ -1,7 +1,6 @@
 // Makes the ingredients and the dish types that recipes name and that are not there yet. Each name may come once.
 // param: ingredients LIST<MAP>
 // param: dish_types LIST<STRING>
-// column: done
 // mode: write
 CALL () {
   UNWIND $ingredients AS row
@@ -12,4 +11,3 @@ CALL () {
   UNWIND $dish_types AS name
   MERGE (:DishType {name: name})
 }
-RETURN count(*) AS done

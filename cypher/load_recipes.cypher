@@ -1,7 +1,6 @@
 // Makes recipes, or gives those that are there their new content, with the foods that they call for, in the order of the
 // recipe, and their dish types. Each id may be named once; the ingredients must be there.
 // param: recipes LIST<MAP>
-// column: done
 // mode: write
 UNWIND $recipes AS row
 MERGE (r:Recipe {id: row.id})
@@ -22,4 +21,3 @@ CALL (r, row) {
   CREATE (r)-[c:CALLS_FOR]->(i)
   SET c = called.properties
 }
-RETURN count(*) AS done

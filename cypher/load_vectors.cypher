@@ -1,7 +1,6 @@
 // Gives foods their points, the names that they are compared by, and their words, each in the singular. Each food may be
 // named once. The record tells where a food has no point, since nothing is known of it.
 // param: rows LIST<MAP>
-// column: done
 // mode: write
 CALL () {
   UNWIND $rows AS row
@@ -19,4 +18,3 @@ WITH some_are_nowhere
 WHERE some_are_nowhere
 MATCH (f:Foon {name: 'foon-kg'})
 SET f.all_placed = false
-RETURN count(*) AS done

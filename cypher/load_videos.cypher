@@ -1,8 +1,6 @@
 // Makes the videos, or gives those that are there their new content hash and sources.
 // param: videos LIST<MAP>
-// column: done
 // mode: write
 UNWIND $videos AS row
 MERGE (v:Video {name: row.name})
 SET v.content = row.content, v.sources = row.sources
-RETURN count(*) AS done

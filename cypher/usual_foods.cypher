@@ -1,7 +1,6 @@
 // Finds out anew which food operators are most often done to, and which they most often change: among those that they were
 // before, and the first of those that have more now. Only where one that it was before has less now are all foods looked at.
 // param: rows LIST<MAP>
-// column: done
 // mode: write
 UNWIND $rows AS row
 MATCH (o:Operator {key: row.operator})
@@ -35,4 +34,3 @@ WITH o, COLLECT {
   LIMIT 1
 } AS changed
 SET o.most_done = done[0], o.most_changed = changed[0]
-RETURN count(*) AS done

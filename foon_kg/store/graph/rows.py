@@ -76,12 +76,6 @@ class Row:
         return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in self.columns)})"
 
 
-class Done(Row):
-    """How many rows were written last: it comes once all is written, and says nothing that anybody needs."""
-
-    done: int
-
-
 class Nothing(Row):
     """The row of a statement that answers nothing."""
 

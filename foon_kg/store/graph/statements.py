@@ -56,22 +56,22 @@ NODES_CALLED = Statement("nodes_called", rows.NodesRow)
 STATISTICS = Statement("statistics", rows.StatisticsRow)
 MOTION_COSTS = Statement("motion_costs", rows.MotionCostsRow)
 
-LOAD_VIDEOS = Statement("load_videos", rows.Done)
+LOAD_VIDEOS = Statement("load_videos", rows.Nothing)
 LOAD_OBJECTS = Statement("load_objects", rows.KeysRow)
 LOAD_UNITS = Statement("load_units", rows.KeysRow)
-LOAD_MOVEMENTS = Statement("load_movements", rows.Done)
-LOAD_NEXT = Statement("load_next", rows.Done)
-LOAD_SIGHTINGS = Statement("load_sightings", rows.Done)
-LOAD_GOALS = Statement("load_goals", rows.Done)
-COUNT_FOODS = Statement("count_foods", rows.Done)
-COUNT_MOTIONS = Statement("count_motions", rows.Done)
-COUNT_VERBS = Statement("count_verbs", rows.Done)
+LOAD_MOVEMENTS = Statement("load_movements", rows.Nothing)
+LOAD_NEXT = Statement("load_next", rows.Nothing)
+LOAD_SIGHTINGS = Statement("load_sightings", rows.Nothing)
+LOAD_GOALS = Statement("load_goals", rows.Nothing)
+COUNT_FOODS = Statement("count_foods", rows.Nothing)
+COUNT_MOTIONS = Statement("count_motions", rows.Nothing)
+COUNT_VERBS = Statement("count_verbs", rows.Nothing)
 COUNT_STATES = Statement("count_states", rows.Nothing)
 RECOUNT_STATES = Statement("recount_states", rows.Nothing)
 LOAD_COSTS = Statement("load_costs", rows.VerbCostRow)
 FOODS_WITHOUT_VECTOR = Statement("foods_without_vector", rows.NameRow)
 FOODS_NEW = Statement("foods_new", rows.NameRow)
-LOAD_VECTORS = Statement("load_vectors", rows.Done)
+LOAD_VECTORS = Statement("load_vectors", rows.Nothing)
 
 FORGET_SIGHTINGS = Statement("forget_sightings", rows.KeyRow)
 FORGET_GOALS = Statement("forget_goals", rows.Nothing)
@@ -87,18 +87,18 @@ METHODS_COMMON = Statement("methods_common", method_rows.MethodsCommonRow)
 METHODS_ASKED = Statement("methods_asked", method_rows.MethodsAskedRow)
 FRAMES = Statement("frames", method_rows.FramesRow)
 FRAMES_READ = Statement("frames_read", method_rows.FramesReadRow)
-LOAD_MATTERS = Statement("load_matters", rows.Done)
-LOAD_OPERATORS = Statement("load_operators", rows.Done)
+LOAD_MATTERS = Statement("load_matters", rows.Nothing)
+LOAD_OPERATORS = Statement("load_operators", rows.Nothing)
 ATTESTED = Statement("attested", method_rows.AttestedRow)
 EVIDENCE = Statement("evidence", method_rows.EvidenceRow)
 FIRST_SIGHTINGS = Statement("first_sightings", method_rows.FirstSightingsRow)
-LOAD_EVIDENCE = Statement("load_evidence", rows.Done)
-USUAL_FOODS = Statement("usual_foods", rows.Done)
-COUNT_OPERATORS = Statement("count_operators", rows.Done)
+LOAD_EVIDENCE = Statement("load_evidence", rows.Nothing)
+USUAL_FOODS = Statement("usual_foods", rows.Nothing)
+COUNT_OPERATORS = Statement("count_operators", rows.Nothing)
 SWEEP_OPERATORS = Statement("sweep_operators", rows.Nothing)
-LOAD_FRAMES = Statement("load_frames", rows.Done)
+LOAD_FRAMES = Statement("load_frames", rows.Nothing)
 FORGET_FRAMES = Statement("forget_frames", method_rows.TextRow)
-COUNT_JOINS = Statement("count_joins", rows.Done)
+COUNT_JOINS = Statement("count_joins", rows.Nothing)
 FORGET_METHODS = Statement("forget_methods", rows.GoneRow)
 
 UNITS_SHOWN = Statement("units_shown", rows.ShownRow)
@@ -109,8 +109,8 @@ DRAFT_CONTENTS = Statement("draft_contents", rows.ContentRow)
 SURE_DRAFTS = Statement("surest_drafts", rows.DraftRow)
 FORGET_DRAFTS = Statement("forget_drafts", rows.KeyRow)
 
-LOAD_RECIPE_WORDS = Statement("load_recipe_words", rows.Done)
-LOAD_RECIPES = Statement("load_recipes", rows.Done)
+LOAD_RECIPE_WORDS = Statement("load_recipe_words", rows.Nothing)
+LOAD_RECIPES = Statement("load_recipes", rows.Nothing)
 RECIPES_TURN = Statement("recipes_turn", recipe_rows.RecipesTurnRow)
 RECIPES_HELD = Statement("recipes_held", recipe_rows.RecipeHeldRow)
 ADD_RECIPE_COUNTS = Statement("add_recipe_counts", rows.Nothing)
@@ -133,13 +133,7 @@ class Ask(Protocol):
 
 
 def ask(transaction: Transaction | ManagedTransaction, statement: Statement[R], **parameters: object) -> list[R]:
-    """Run ``statement`` in ``transaction``, in one round trip, and return its rows.
-
-    Nobody waits for one that only tells that it is done: the database does it while the program makes the rows of the
-    next. Whatever goes wrong with it is raised by that next one, or by the commit.
-    """
+    """Run ``statement`` in ``transaction``, in one round trip, and return its rows."""
     _log.debug("%s", statement.name)
     result = transaction.run(named_query(statement.name).text, parameters)
-    if statement.row is rows.Done:
-        return []
     return [statement.row(*record.values()) for record in result]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -15,10 +14,6 @@ from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph.frame_rows import frame_row
 from foon_kg.store.graph.lifting import Lifted, lifted
 from foon_kg.store.snapshot import frames_in
-
-SWITCH_SECONDS = 5e-4
-"""So long the thread that works ahead goes on when something has come from the database. An answer comes in hundreds of
-parts, and for each of them Python's own 5 ms would pass in which the database has nothing to do."""
 
 
 @dataclass(frozen=True)
@@ -48,15 +43,12 @@ class Ahead:
         self._kitchen = kitchen
         self._pool = ThreadPoolExecutor(max_workers=1)
         self._begun: dict[str, Future[Taught]] = {}
-        self._switch_seconds = sys.getswitchinterval()
 
     def __enter__(self) -> Ahead:
-        sys.setswitchinterval(SWITCH_SECONDS)
         return self
 
     def __exit__(self, *_: object) -> None:
         self._pool.shutdown(cancel_futures=True)
-        sys.setswitchinterval(self._switch_seconds)
 
     def begin(self, videos: Iterable[Subgraph]) -> None:
         """Begin with those of the ``videos`` that were not begun yet."""

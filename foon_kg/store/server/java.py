@@ -14,17 +14,15 @@ from foon_kg.store.server.extra import missing_extra
 MAIN_CLASS = "org.neo4j.server.Neo4jCommunity"
 ADMIN_CLASS = "org.neo4j.server.startup.Neo4jAdminCommand"
 
-LESS_INLINED = ("-XX:MaxInlineLevel=5", "-XX:FreqInlineSize=60", "-XX:InlineSmallCode=1000")
-"""How much of what a method calls is compiled together with it. A statement is carried out by small objects that call
-one another: by Java's own bounds (15, 325, 2500) it takes twice as long to compile them, and they run no faster."""
-
 HEAP = ("-Xms256m", "-Xmx1g")
 """Memory is bounded: 1 GB of heap, and the page cache of ``configuration.PAGE_CACHE``."""
 
 FLAGS = (
     "-XX:+UseSerialGC",  # starts faster and takes less memory than the parallel collectors do at this heap size
     *HEAP,
-    *LESS_INLINED,
+    "-XX:+UnlockDiagnosticVMOptions",
+    "-XX:+IgnoreUnrecognizedVMOptions",  # a Java that does not know the next one any more starts nevertheless
+    "-XX:-AOTReplayTraining",  # compiled by what a short recording counted, long questions take twice as long
     "-Xlog:aot*=off",  # the start-up cache is an aid: what it cannot hold is loaded in the ordinary way
     "--sun-misc-unsafe-memory-access=allow",  # as Neo4j's own launcher calls Java 25
     "--enable-native-access=ALL-UNNAMED",
