@@ -20,7 +20,7 @@ from foon_kg.food.lists import names_in, says, word_list
 from foon_kg.food.parsing import Toml, dish_row, food_table, motion_row, needs_of, refused, state_row, utensil_rows
 from foon_kg.food.rows import Dish, Motion, State, Utensil
 from foon_kg.food.shipped import shipped
-from foon_kg.food.words import plain_words, singular, words
+from foon_kg.food.words import names_inside, plain_words, singular, words
 from foon_kg.model.errors import ReadError
 from foon_kg.model.regular_files import read_text
 
@@ -178,7 +178,7 @@ class Tables:
         for text in texts:
             # “tuna” in quotes is none, nor a sauce for steak, and what has no eggs is not called after them
             own = _without(words(_QUOTED.sub(" ", _FOR.split(text)[0] or text)))
-            for start, end in _spans(len(own)):
+            for start, end in _spans(own):
                 name = " ".join(own[start:end])
                 # a part of a word counts, too: the type cake says nothing beside the title cheesecake
                 if name in self.dishes and not any(name in other for other in found):
@@ -211,11 +211,16 @@ def _finest(states: Iterable[State]) -> int | None:
     return max((state.fine for state in states if state.fine is not None), default=None)
 
 
-def _spans(count: int) -> Iterator[tuple[int, int]]:
-    """Yield where each run of words begins and ends among ``count`` words, the longest runs first."""
-    for length in range(count, 0, -1):
-        for start in range(count - length + 1):
-            yield start, start + length
+def _spans(own: tuple[str, ...]) -> Iterator[tuple[int, int]]:
+    """Yield where each run of the words ``own`` begins and ends that may be a name, the longest runs first.
+
+    A name of a family that stands there only inside a longer one of another is none.
+    """
+    inside = names_inside(own)
+    for length in range(len(own), 0, -1):
+        for start in range(len(own) - length + 1):
+            if own[start : start + length] not in inside:
+                yield start, start + length
 
 
 def _without(own: tuple[str, ...]) -> tuple[str, ...]:

@@ -18,7 +18,7 @@ from typing import Any
 from foon_kg.food.lists import names_in, word_list
 from foon_kg.food.rows import Food
 from foon_kg.food.shipped import shipped
-from foon_kg.food.words import any_stands_in, singular_word, words
+from foon_kg.food.words import any_is_told, any_stands_in, singular_word, words
 from foon_kg.model.values import made_often
 
 _STEP = re.compile(
@@ -223,7 +223,7 @@ class Technique:
         if dish_type not in self.or_types:
             if self.types and dish_type not in self.types:
                 return False
-            if self.called and not any_stands_in(self.called, told):
+            if self.called and not any_is_told(self.called, told):
                 return False
         return not self.is_never(told)
 

@@ -6,10 +6,11 @@ And the words that say for what of a dish a food is.
 from __future__ import annotations
 
 import functools
+import itertools
 import re
 from collections.abc import Collection, Iterable, Sequence
 
-from foon_kg.food.lists import says, word_list
+from foon_kg.food.lists import longer_names, says, word_list
 from foon_kg.model.names import without_accents
 
 _WORD = re.compile(r"[^\W\d_]+")
@@ -77,6 +78,32 @@ def any_stands_in(phrases: Iterable[tuple[str, ...]], told: Sequence[str]) -> bo
         if phrase[0] in told and stands_in(phrase, told):
             return True
     return False
+
+
+def any_is_told(names: Collection[tuple[str, ...]], told: Sequence[str]) -> bool:
+    """Return whether one of ``names`` stands in ``told``, and not only inside a longer one of another family."""
+    if not any_stands_in(names, told):  # so it is for all but a few of hundreds of rows
+        return False
+    inside = names_inside(tuple(told))
+    return not inside or any_stands_in((name for name in names if name not in inside), told)
+
+
+@functools.lru_cache(maxsize=1 << 10)
+def names_inside(told: tuple[str, ...]) -> frozenset[tuple[str, ...]]:
+    """Return the names of families that stand in ``told`` as parts of longer ones only: what is told is not those."""
+    spans = {told[start:end] for start, end in itertools.combinations(range(len(told) + 1), 2)}
+    longer = {name: spans.intersection(longer_names()[name]) for name in spans & longer_names().keys()}
+    return frozenset(name for name, others in longer.items() if others and not stands_in(name, _without(others, told)))
+
+
+def _without(names: Collection[tuple[str, ...]], told: tuple[str, ...]) -> tuple[str, ...]:
+    """Return ``told`` with nothing where one of ``names`` stands in it."""
+    left = list(told)
+    for name in names:
+        for at in range(len(told)):
+            if told[at : at + len(name)] == name:
+                left[at : at + len(name)] = [""] * len(name)
+    return tuple(left)
 
 
 def is_among(name: str, names: Collection[str]) -> bool:

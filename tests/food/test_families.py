@@ -64,6 +64,30 @@ def test_a_list_that_is_no_family_has_names_too():
         names_in("no such list")
 
 
+@pytest.mark.parametrize(
+    ("title", "family", "hidden"),
+    [
+        ("Esfiha aberta de carne", "risen dough under a topping", "parcels of dough, baked"),
+        ("Gua bao with pork belly", "risen dough, steamed", "risen dough closed around a filling, steamed"),
+        ("Hong Kong bolo bao", "rich dough that rises, shaped as buns", "risen dough closed around a filling, steamed"),
+        ("Poulet roti aux herbes", "roast", "flat dough in a pan"),
+        ("Dal puri", "thin dough around a filling, in a pan", "dough fried in much fat"),
+    ],
+)
+def test_a_longer_name_hides_one_of_another_family_inside_it(title, family, hidden):
+    assert reached(title) & ROWS[family]
+    assert not reached(title) & ROWS[hidden] - ROWS[family]
+
+
+def test_a_name_beside_a_longer_one_that_has_it_is_told_by_itself():
+    assert reached("Bolo bao and bao") & ROWS["risen dough closed around a filling, steamed"]
+
+
+def test_a_dish_is_not_known_by_a_name_inside_a_longer_one():
+    named = {title: {dish.name for dish in tables().dishes_named(title)} for title in ("shotis puri", "puri")}
+    assert named == {"shotis puri": set(), "puri": {"puri"}}
+
+
 def test_a_dish_of_a_family_is_known_by_each_of_its_names():
     dishes = tables().dishes
     assert {"bread", "cake"} <= dishes["mandazi"].is_no & dishes["oliebol"].is_no
