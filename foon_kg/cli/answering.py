@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -99,7 +99,7 @@ def _answered_before(path: Path, questions: Sequence[Question], foon: Foon, sett
 
     done = AnswerFile.read(path, len(questions))
     if done.lines:
-        words = foon.words()
+        words = replace(foon.words(), there=settings.kitchen)
         first = questions[: len(done.lines)]
         done.check([recipe_to_json(question.as_planned(words, settings.avoided)) for question in first])
     return done

@@ -12,6 +12,7 @@ from pathlib import Path
 from foon_kg.integration.methods import TeachingView
 from foon_kg.model import KnownUnit, Recipe
 from foon_kg.model.errors import FoonError, GraphError, NoTreeError, ReadError, UsageError
+from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.planning.avoidance import without_avoided
 from foon_kg.planning.considered import Considered
@@ -161,11 +162,14 @@ class Cook:
         if not self.asks_for_parts:
             return self._all_words
         foods, called = question.names()
-        return IngredientWords(self.view.words_for(foods, called), Kitchen.default())
+        return self._words_of(self.view.words_for(foods, called))
 
     @cached_property
     def _all_words(self) -> IngredientWords:
-        return IngredientWords(self.view.vocabulary(), Kitchen.default())
+        return self._words_of(self.view.vocabulary())
+
+    def _words_of(self, vocabulary: Vocabulary) -> IngredientWords:
+        return IngredientWords(vocabulary, Kitchen.default(), self.settings.kitchen)
 
 
 def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:

@@ -1,7 +1,7 @@
 """``--kitchen FILE``: what is at hand, as people write it down.
 
 Plain text, one thing a line (``onion`` · ``onion, chopped`` · ``chopped onion`` · ``egg in carton`` · ``knife`` ·
-``2 cutting boards`` · ``onion, chopped on cutting board`` · ``pot {rice}`` · ``oven, preheated``; ``#`` begins a
+``2 cutting boards`` · ``onion, chopped on cutting board`` · ``pot {cooked rice}`` · ``oven, preheated``; ``#`` begins a
 comment), or JSON: a list of such texts, of object nodes as a plan result has them, or of recipe ingredients; or
 ``{"utensils": […], "foods": […]}`` with one of the two or both. What that means is said in
 :mod:`foon_kg.plans.stock`. Nothing is decided silently: what was not understood as it stands comes with a note.
@@ -15,7 +15,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 
 from foon_kg.food import singular, tables
@@ -90,7 +90,14 @@ def kitchen_with(entries: Sequence[Entry], words: IngredientWords) -> ReadKitche
     kitchen = words.kitchen.with_foods(said["foods"]).with_utensils(said["utensils"])
     things = [thing for thing, _ in read]
     numbers = _numbers(zip(things, (entry.number for entry in entries), strict=True), kitchen)
-    return ReadKitchen(StockedKitchen.of(kitchen, things, numbers), tuple(n for _, ns in read for n in ns))
+    inside = _not_placed(chain.from_iterable(map(reader.held, entries, things)), things)
+    return ReadKitchen(StockedKitchen.of(kitchen, things, numbers, inside), tuple(n for _, ns in read for n in ns))
+
+
+def _not_placed(held: Iterable[ObjectNode], things: Sequence[ObjectNode]) -> list[ObjectNode]:
+    """Return those of the foods ``held`` by vessels that ``things`` do not name as being there, too."""
+    placed = {(singular(thing.label), thing.container) for thing in things}
+    return [food for food in held if (singular(food.label), food.container) not in placed]
 
 
 def _numbers(things: Iterable[tuple[ObjectNode, int | None]], kitchen: Kitchen) -> dict[str, int]:
@@ -146,13 +153,31 @@ class ThingReader:
         notes += self._unknown(thing, entry.kind)
         return thing, tuple(f"{entry.where}: {note}" for note in notes)
 
+    def held(self, entry: Entry, vessel: ObjectNode) -> list[ObjectNode]:
+        """Return the foods in a ``vessel``, as an ``entry`` names it; what is sold in it, or is always there, is none.
+
+        A text says their states, too: ``pot {cooked rice}``.
+        """
+        kitchen = self.words.kitchen
+        if not kitchen.is_utensil(vessel.label) or kitchen.is_storage(vessel.label):
+            return []
+        filled = _FILLED.match(entry.value) if isinstance(entry.value, str) else None
+        foods = map(ObjectNode, vessel.ingredients) if filled is None else (food for food, _ in self._contents(filled))
+        own = (food for food in foods if not kitchen.is_utensil(food.label) and not kitchen.is_free(food.label))
+        return [replace(food, relation="in", container=vessel.label) for food in own]
+
+    def _contents(self, filled: re.Match[str]) -> list[tuple[ObjectNode, list[str]]]:
+        """Return each of the foods between the braces of a text, with the notes on it."""
+        return [self._unplaced(name) for name in filter(None, map(str.strip, filled["foods"].split(",")))]
+
     def _spoken(self, text: str) -> tuple[ObjectNode, list[str]]:
         filled = _FILLED.match(text)
         if filled is not None:
             thing, notes = self._spoken(f"{filled['vessel']}{filled['rest']}")
-            names = filter(None, (name.strip() for name in filled["foods"].split(",")))
-            held = tuple(self.words.label(name) for name in names)
-            return replace(thing, ingredients=held), notes + [n for one in held for n in self._unknown(ObjectNode(one))]
+            for food, said in self._contents(filled):
+                notes += (*said, *self._unknown(food))
+                thing = replace(thing, ingredients=(*thing.ingredients, food.label))
+            return thing, notes
         placed = _PLACED.match(text)
         place = self._utensil(placed["place"]) if placed else None
         if placed is None or place is None:

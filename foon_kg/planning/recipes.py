@@ -43,10 +43,14 @@ class ReadRecipe:
 
 @dataclass(frozen=True)
 class IngredientWords:
-    """The foods and states that a FOON knows, for telling them apart in ``finely chopped onion``."""
+    """The foods and states that a FOON knows, for telling them apart in ``finely chopped onion``.
+
+    ``kitchen`` knows utensils, and in which states foods are sold; ``there`` is what a person has at hand, if they say.
+    """
 
     vocabulary: Vocabulary
     kitchen: Kitchen
+    there: Kitchen | None = None
 
     def read(self, text: str) -> tuple[RequiredIngredient, tuple[str, ...]]:
         """Return what ``text`` asks for, with notes.
@@ -86,13 +90,16 @@ class IngredientWords:
         return 0 if amount == len(words) or canonical(" ".join(words)) in self._labels else amount
 
     def with_state(self, wanted: RequiredIngredient) -> tuple[RequiredIngredient, tuple[str, ...]]:
-        """Return ``wanted`` with a state: its own, else the one in which the food is most often taken.
+        """Return ``wanted`` with a state: its own, else how it is there, else how the food is most often taken.
 
         Where nobody took it, or that would be another kind of food (a sprig of what is sold dried), it is the one in
         which it is sold.
         """
         if wanted.state:
             return wanted, ()
+        if self.there is not None and (made := asked_state(self.there.made_so(wanted.object), tables())):
+            note = f"“{wanted.object}” names no state: taken as {made}, as it is there"
+            return replace(wanted, state=made), (note,)
         plain = tables().foods.food(wanted.object)
         state = self._usual_states.get(canonical(wanted.object), plain.sold_as or UNTOUCHED)
         if plain.sold_as and tables().foods.food(wanted.object, [state]).kind != plain.kind:

@@ -117,6 +117,14 @@ class Kitchen:
         """Return the vessel in which a person named a food, and not free: out of that it is taken."""
         return None
 
+    def stands_as(self, _food: str, _states: Collection[str]) -> tuple[str, ...]:
+        """Return the states in which a person named a food that is not there in ``_states``, and is in one piece."""
+        return ()
+
+    def made_so(self, _food: str) -> tuple[str, ...]:
+        """Return the states beyond those of shops in which alone a person named a food; none where nobody did."""
+        return ()
+
     def names_so(self, _: ObjectNode) -> bool:
         """Whether a person said of a thing that it is so: in which state, where, or with which contents."""
         return False

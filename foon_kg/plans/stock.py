@@ -31,18 +31,27 @@ ALWAYS_THERE = word_list("always there")
 class StockedKitchen(Kitchen):
     """The kitchen that has ``utensils_named`` and ``foods_named``; ``None`` says that nothing of this kind was named.
 
-    Make one with :meth:`of`.
+    ``inside`` are foods that were named only as contents of vessels: these do not say that there are no others. Make
+    one with :meth:`of`.
     """
 
     utensils_named: tuple[ObjectNode, ...] | None = None
     foods_named: tuple[ObjectNode, ...] | None = None
+    inside: tuple[ObjectNode, ...] = ()
     numbers: Mapping[str, int] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, kitchen: Kitchen, things: Collection[ObjectNode], numbers: Mapping[str, int] | None = None) -> Self:
+    def of(
+        cls,
+        kitchen: Kitchen,
+        things: Collection[ObjectNode],
+        numbers: Mapping[str, int] | None = None,
+        inside: Collection[ObjectNode] = (),
+    ) -> Self:
         """Return ``kitchen`` with just ``things`` in it: its utensils, if they name any, and its foods likewise.
 
         ``numbers`` say how many there are of a utensil (in the singular); of any other one there are as many as needed.
+        ``inside`` are the foods that some of the things hold.
         """
         known = {one.name: getattr(kitchen, one.name) for one in fields(Kitchen)}
         utensils = tuple(thing for thing in things if kitchen.is_utensil(thing.label))
@@ -51,13 +60,15 @@ class StockedKitchen(Kitchen):
         return cls(
             **known,
             utensils_named=(*utensils, *_places_of(things, kitchen)) if utensils else None,
-            foods_named=(*foods, *free) if foods else None,
+            foods_named=(*foods, *inside, *free) if foods else None,
+            inside=tuple(inside),
             numbers=dict(numbers or {}),
         )
 
     def with_things(self, things: Collection[ObjectNode]) -> Self:
         """Return this kitchen with ``things`` in it as well."""
-        return type(self).of(self, [*(self.utensils_named or ()), *(self.foods_named or ()), *things], self.numbers)
+        named = (*(self.utensils_named or ()), *(self.foods_named or ()), *things)
+        return type(self).of(self, named, self.numbers, self.inside)
 
     def with_foods(self, names: Iterable[str]) -> Kitchen:
         """Return the kitchen in which ``names`` are foods, also those named as utensils (a cooking spray)."""
@@ -106,6 +117,23 @@ class StockedKitchen(Kitchen):
         things = [thing for thing in self._foods_called(food) if self._in_state(thing, node)]
         return (self._nearest_place(things) or None) if all(self._is_put(thing.container) for thing in things) else None
 
+    def stands_as(self, food: str, states: Collection[str]) -> tuple[str, ...]:
+        """Return the states in which a food is there that is not there in ``states``: opened, peeled, and in one piece.
+
+        Nothing where it is there in ``states``, cut or cooked, or in several ways.
+        """
+        things = self._foods_called(food)
+        if any(self._in_state(thing, ObjectNode(food, tuple(states))) for thing in things):
+            return ()
+        rows = [tables().state(state) for state in self.made_so(food)]
+        return things[0].states if rows and all(not row.fineness and not row.needs_heat for row in rows) else ()
+
+    def made_so(self, food: str) -> tuple[str, ...]:
+        """Return the states beyond those of shops in which alone a food was named; none where it is there otherwise."""
+        named = {thing.states for thing in self._foods_called(food)}
+        states = named.pop() if len(named) == 1 else ()
+        return tuple(state for state in states if not super(StockedKitchen, self).is_start_state(food, state))
+
     def names_so(self, node: ObjectNode) -> bool:
         """Whether a person said of ``node`` that it is in these states, in this place, or with these contents."""
         if self.is_food(node):
@@ -145,7 +173,8 @@ class StockedKitchen(Kitchen):
         named = self._foods_called(label)
         if is_place(state) or not named:
             return sold
-        return any(_says(thing, state) if thing.states else sold for thing in named)
+        said = any(_says(thing, state) if thing.states else sold for thing in named)
+        return said or (sold and self.foods_named is None)
 
     def is_mixture(self, node: ObjectNode) -> bool:
         """Whether ``node`` has to be made of other foods: not where it was named as being there."""
@@ -200,7 +229,7 @@ class StockedKitchen(Kitchen):
 
     def _foods_at(self, place: str) -> set[str]:
         """Return the foods that were named as being in ``place``."""
-        return {singular(one.label) for one in self.foods_named or () if one.container and _in_place(one, place)}
+        return {singular(one.label) for one in self._foods if one.container and _in_place(one, place)}
 
     def _is_at_rest_aside(self, vessel: ObjectNode) -> bool:
         return not vessel.states and not self._is_put(vessel.container)
@@ -261,8 +290,12 @@ class StockedKitchen(Kitchen):
         named = [thing for thing in self._utensils_called(node.label) if thing.states]
         return any(self._is_as(thing, node) for thing in named)
 
+    @property
+    def _foods(self) -> tuple[ObjectNode, ...]:
+        return self.inside if self.foods_named is None else self.foods_named
+
     def _foods_called(self, label: str) -> list[ObjectNode]:
-        return list(_called(label, self.foods_named or ()))
+        return list(_called(label, self._foods))
 
     def _utensils_called(self, label: str) -> list[ObjectNode]:
         return list(_called(label, self.utensils_named or ()))

@@ -109,9 +109,11 @@ def never_lit(case: Case) -> Iterator[Finding]:
     lit: set[int] = set()
     for played_step in case.played_steps:
         lit |= {id(vessel) for vessel in (*played_step.hot, *played_step.heated)}
-        over = {said.label for said in played_step.input_readings if _is_over_heat(said)}
+        utensils = [said for said in played_step.input_readings if said.utensil is not None]
+        taken = zip(played_step.vessels, utensils, strict=False)  # vessels that only outputs name follow these
+        over = {id(vessel) for vessel, said in taken if _is_over_heat(said)}
         for vessel in played_step.emptied:
-            if vessel.label in over and id(vessel) not in lit:
+            if id(vessel) in over and id(vessel) not in lit:
                 yield Finding("K7", f"the {vessel.label} stood over what was never turned on", played_step.number)
 
 

@@ -13,6 +13,7 @@ from foon_kg.plans.result import PlanFailure, PlanResult
 
 SALAD = ["--dish", "salad", "chopped onion", "chopped tomato", "olive oil", "salt"]
 UTENSILS = "knife\ncutting board\nsalad bowl\nbowl\nspoon\nwhisk\n"
+PANS = "frying pan\nstove\nmixing bowl\nwhisk\nfork\nspatula\nturner\nplate\nknife\nspoon\n"
 FOODS = "onion\ntomato, chopped\nolive oil\nsalt\n"
 
 
@@ -60,6 +61,29 @@ def test_places_and_contents_are_said_in_words_and_believed(kitchen):
         judged = foon("check", "-", "--kitchen", other, stdin=free)
         assert judged.exit_code == 1
         assert f"{leaf}: it is not in the kitchen that was named" in judged.stdout
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("there", "asked", "taken", "note"),
+    [
+        ("egg, cracked in bowl", "beaten egg", "cracked", ""),
+        ("egg, beaten", "cracked egg", "beaten", ""),
+        ("egg, cracked in bowl", "egg", "cracked", "“egg” names no state: taken as cracked, as it is there"),
+        (f"{PANS}bowl {{beaten egg}}", "egg", "beaten", "“egg” names no state: taken as beaten, as it is there"),
+        ("egg", "beaten egg", "whole", ""),
+    ],
+)
+def test_what_is_there_opened_or_in_the_asked_state_is_taken_as_it_is(kitchen, there, asked, taken, note):
+    file = kitchen(f"{there}\nbutter\nsalt\n")
+    answer = foon("plan", "--dish", "omelette", asked, "butter", "salt", "--kitchen", file, "--json")
+    assert answer.exit_code == 0, answer.stderr
+    assert note in answer.stderr
+    plan = json.loads(answer.stdout)
+    leaves = [leaf for leaf in plan["kitchen"] if leaf["label"] == "egg"]
+    assert [leaf["states"] for leaf in leaves] == [[taken]]
+    assert ("crack" in {unit["motion_node"] for unit in plan["units"]}) is (taken == "whole")
+    assert foon("check", "-", "--kitchen", file, stdin=answer.stdout).exit_code == 0
 
 
 @pytest.mark.slow

@@ -96,6 +96,22 @@ def test_what_is_not_known_is_said_with_the_nearest_known_words(read, text, note
     assert note in said
 
 
+@pytest.mark.parametrize(
+    ("text", "inside"),
+    [
+        ("bowl {chopped onion, tomato}", ["onion(chopped)@bowl", "tomato@bowl"]),
+        ("shaker {salt}", []),  # it is sold so
+        ("bowl {onion}\nonion, chopped in bowl", []),  # that is the one
+        ('[{"label": "bowl", "ingredients": ["onion"]}]', ["onion@bowl"]),
+    ],
+)
+def test_what_a_vessel_holds_is_there_in_it_in_the_state_that_is_said(read, text, inside):
+    kitchen = read(text).kitchen
+    assert list(kitchen.inside) == [node(food) for food in inside]
+    assert (kitchen.foods_named is None) is ("in bowl" not in text)
+    assert read(text).notes == ()
+
+
 def test_known_things_need_no_note(read):
     assert read("knife\nonion, chopped\nsalt in shaker\n").notes == ()
 

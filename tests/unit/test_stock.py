@@ -81,6 +81,34 @@ def test_what_is_there_in_a_processed_state_is_a_start_and_stands_ready():
     assert there.is_start_state("tomato", "whole")  # it is not there, but so it is sold
 
 
+@pytest.mark.parametrize(
+    ("named", "made", "stands"),
+    [
+        (["egg(cracked)@in bowl"], ("cracked",), ("cracked",)),
+        (["egg(cracked)", "egg"], (), ()),
+        (["onion(chopped)"], ("chopped",), ()),  # who asks for a whole one finds none
+        (["rice(cooked)"], ("cooked",), ()),
+        (["egg"], (), ()),
+        ([], (), ()),
+    ],
+)
+def test_a_food_that_is_only_there_opened_stands_for_one_as_it_is_sold(named, made, stands):
+    there = kitchen(*named, "salt")
+    assert there.made_so(there.foods_named[0].label) == made
+    assert there.stands_as(there.foods_named[0].label, ("whole",)) == stands
+
+
+def test_what_was_named_as_contents_alone_is_there_beside_all_that_is_sold():
+    rice = node("rice(cooked)@pot")
+    there = StockedKitchen.of(EVERYBODY, [node("pot{rice}"), node("knife")], inside=[rice])
+    assert there.ready_in("rice", "cooked") == "pot"
+    assert not any(there.lacks(node(leaf)) for leaf in ("onion(whole)", "rice(uncooked)", "rice(cooked)@pot"))
+    assert there.is_start_state("rice", "uncooked")
+    more = there.with_things([node("onion")])
+    assert more.lacks(node("tomato(whole)"))
+    assert not more.lacks(rice)
+
+
 def test_a_utensil_that_is_hot_already_needs_nobody_to_heat_it():
     hot = node("oven(preheated)")
     assert kitchen("oven(preheated)").leaf_fault(hot) is None

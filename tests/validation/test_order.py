@@ -152,3 +152,14 @@ def test_k7_food_over_heat_that_is_never_turned_on_stands_there_for_nothing(lit)
     )
     step = "K7 step 3: the pan stood over what was never turned on"
     assert found("K7", told) == ([] if lit else [step])
+
+
+def test_k7_another_vessel_of_that_name_stands_over_no_heat():
+    told = lines(
+        "pan (empty) + carton ({stock}) + stock (liquid; in carton) → POUR → pan ({stock}) + stock (liquid; in pan)",
+        "pan ({stock}) + stove (off) → PICK-AND-PLACE → pan ({stock}; on stove) + stove (off; under pan)",
+        LIGHT,
+        "pan ({stock}; on stove) + pan ({rice}) + rice (uncooked; in pan) → POUR → pan ({rice, stock}; on stove)"
+        " + rice (uncooked; in pan) + pan (empty)",
+    )
+    assert found("K7", told) == []

@@ -118,6 +118,9 @@ class AtHand(Protocol):
     def ready_in(self, food: str, state: str, /) -> str | None:
         """Return in what a food in a state stands ready (``""``: it lies free), ``None`` where it does not."""
 
+    def stands_as(self, food: str, states: Collection[str], /) -> tuple[str, ...]:
+        """Return the states in which a food is there that is not there in ``states``, if it needs less to be done."""
+
     def lies_in(self, food: str, states: Collection[str], /) -> str | None:
         """Return the vessel in which a food in such states is, ``None`` where it lies free or is in storage."""
 
@@ -125,6 +128,8 @@ class AtHand(Protocol):
 def as_there(want: Want, kitchen: AtHand) -> Want:
     """Return ``want`` as a named ``kitchen`` has it: in the asked state and in what a person said."""
     storage = kitchen.ready_in(want.label, want.make) if want.make else None
+    if storage is None and (there := kitchen.stands_as(want.label, want.leaf)):
+        want = replace(want, leaf=there, storage=kitchen.ready_in(want.label, there[0]) or "")
     vessel = kitchen.lies_in(want.label, want.leaf if storage is None else (want.make,))
     if vessel is not None:
         want = replace(want, storage=vessel, stands=True)
@@ -175,5 +180,9 @@ def owed(want: Want, known: Tables, level: Level = Level.MINOR) -> set[str]:
     ``level``: all of it (``MINOR``), or only that without which it cannot be eaten (``FATAL``).
     """
     levels = {Level.FATAL} if level is Level.FATAL else {Level.FATAL, Level.MINOR}
-    earned = frozenset().union(*(known.state(state).earns for state in want.leaf))
-    return {name for name, how in want.facts.owes.items() if how in levels} - earned
+    return {name for name, how in want.facts.owes.items() if how in levels} - earned(want, known)
+
+
+def earned(want: Want, known: Tables) -> frozenset[str]:
+    """Return what was done to ``want`` before, as its states in the kitchen tell by the tables ``known``."""
+    return frozenset().union(*(known.state(state).earns for state in want.leaf))

@@ -14,7 +14,7 @@ from foon_kg.food.parted import parts_in
 from foon_kg.food.rows import HALVED, POWDER
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.preparing.cutting import BOWL
-from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, Ready, Want, owed
+from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, Ready, Want, earned, owed
 from foon_kg.integration.preparing.treating import Treater
 from foon_kg.integration.teaching.forms import form_of
 
@@ -119,7 +119,8 @@ class Preparer(Treater):
         # the table has "trimmed" take out a choke, which only artichokes have: anything else loses but its ends
         trimmed = want.make in word_list("is cut off at the ends")
         earns = self.known.state(want.make).earns & BY_HAND if want.make and not trimmed else frozenset()
-        return owed(want, self.known) | (earns & want.facts.owes.keys() or earns)  # hulled: cored, or out of a husk
+        asked = earns & want.facts.owes.keys() or earns  # hulled: cored, or out of a husk
+        return owed(want, self.known) | (asked - earned(want, self.known))
 
     def is_mashed_raw(self, want: Want) -> bool:
         """Return whether ``want`` is asked in a form for which it is still too hard (mashed): it is cooked before."""
