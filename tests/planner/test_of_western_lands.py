@@ -185,3 +185,51 @@ def test_no_bare_hand_peels_a_tomato(steps):
     peeled = [inputs for inputs, motion, _ in told if motion == "peel" and "tomato" in inputs]
     assert peeled
     assert all("knife" in inputs for inputs in peeled)
+
+
+@pytest.mark.parametrize(("dish_type", "title", "asked"), [
+    ("beef", "Birria de Res", ["beef chuck:cut", "guajillo chiles:dried", "ancho chiles:dried", "tomatoes:whole",
+                               "garlic:clove", "beef stock:liquid", "corn tortillas:plain:serving"]),
+    ("seafood", "Marmitako", ["tuna:cut", "potatoes:cut",
+                               "onion:chopped", "choricero peppers:soaked", "tomatoes:grated",
+                              "fish stock:liquid", "olive oil:liquid"]),
+    ("chicken", "Tinga de Pollo", ["chicken breasts:raw", "chipotle chiles in adobo:whole", "tomatoes:whole",
+                                   "onion:sliced", "oil:liquid"]),
+])  # fmt: skip
+def test_chillies_of_a_sauce_are_blended_before_it_is_simmered(steps, dish_type, title, asked):
+    told = steps(dish_type, title, *asked)
+    ground = inside(told, "blend")
+    assert any("chile" in food or "choricero" in food for food in ground)
+    assert any("tomato" in food for food in ground)
+    assert motions(told).index("blend") < motions(told).index("simmer")
+
+
+@pytest.mark.parametrize(("dish_type", "title", "heated"), [("seafood", "Bacalhau à Brás", True),
+                                                            ("salad", "Esqueixada", False)])  # fmt: skip
+def test_salt_fish_lies_in_water_first(steps, dish_type, title, heated):
+    told = steps(dish_type, title, "salt cod:raw", "onion:sliced", "olive oil:liquid", "black olives:whole")
+    assert first(told, "salt cod", "soak") < first(told, "salt cod", "drain")
+    assert any("salt cod" in inputs and motion.startswith("cook") for inputs, motion, _ in told) == heated
+
+
+def test_a_topping_of_nuts_and_caramel_is_cooked_and_baked_on(steps):
+    told = steps("cake", "Toscakaka", "eggs:raw", "caster sugar:granulated", "flour:powder", "baking powder:powder",
+                 "butter:melted", "milk:liquid", "almonds:flaked:topping", "butter:stick:topping",
+                 "brown sugar:granulated:topping", "milk:liquid:topping")  # fmt: skip
+    assert motions(told).count("bake") == 2
+    assert inside(told, "cook and stir") >= {"almonds", "brown sugar"}
+    assert "almonds" not in inside(told, "bake")
+
+
+def test_chocolate_melts_with_butter_for_a_cake_raised_by_whites(steps):
+    told = steps("cake", "Torta Tenerina", "dark chocolate:bar", "butter:stick", "caster sugar:granulated",
+                 "eggs:separated", "flour:powder")  # fmt: skip
+    assert inside(told, "melt") == {"dark chocolate", "butter"}
+
+
+@pytest.mark.parametrize("egg", ["hard-boiled eggs:sliced:topping", "eggs:raw:topping"])
+def test_eggs_of_a_topping_lie_on_the_pizza(steps, egg):
+    told = steps("pizza", "Pizza Portuguesa", "flour:powder:dough", "yeast:powder:dough", "water:warm:dough",
+                 "tomato sauce:sauce:topping", "mozzarella:grated:topping", egg)  # fmt: skip
+    assert egg.split(":")[0] not in inside(told, "knead")
+    assert egg.split(":")[0] in inside(told, "bake")

@@ -75,6 +75,8 @@ def _attached_baked(line: Line, bakes: Sequence[int], target: Stage, at: str) ->
         return _attached_shaped(line, mixed[-1], target)
     if at in {"before", "shaped"}:
         return _attached_before(stages, bakes[-1], target)
+    if at == "again":
+        return _attached_again(stages, bakes[-1], target)
     if at == "under":
         tin = stages[bakes[0]].vessel
         return line, next(stage for stage in stages if stage.vessel == tin), {}
@@ -119,6 +121,13 @@ def _attached_before(stages: Sequence[Stage], place: int, target: Stage) -> tupl
     target = replace(target, vessel=heat.vessel, relation=heat.relation)
     fresh = (*stages[:place], laid, target, replace(heat, adds=()), *stages[place + 1 :])
     return Line(fresh), target, {id(heat): laid}
+
+
+def _attached_again(stages: Sequence[Stage], place: int, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return stages with ``target`` on what was baked at a ``place``, which is baked once more with it."""
+    heat = stages[place]
+    target = replace(target, vessel=heat.vessel, relation=heat.relation)
+    return Line((*stages[: place + 1], target, replace(heat, adds=()), *stages[place + 1 :])), target, {}
 
 
 def _attached_last(stages: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
