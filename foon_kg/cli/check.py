@@ -133,9 +133,8 @@ def _report(tree: TaskTree, foon: KnownFoon, kitchen: Kitchen) -> Report:
 
     asked = (wanted.object for wanted in (tree.recipe.ingredients if tree.recipe else ()))
     own = kitchen.with_foods(asked)
-    report = judge(tree, foon, own.free_foods, own.lacks)
-    kept = tuple(finding for finding in report.findings if not _at_hand_so(finding, own))
-    return replace(report, findings=(*kept, *_too_few(tree, own)))
+    report = judge(tree, foon, own.free_foods, own.lacks, own.names_so)
+    return replace(report, findings=(*report.findings, *_too_few(tree, own)))
 
 
 def _too_few(tree: TaskTree, kitchen: Kitchen) -> Iterator[Finding]:
@@ -144,10 +143,6 @@ def _too_few(tree: TaskTree, kitchen: Kitchen) -> Iterator[Finding]:
 
     for leaf, needed, there in kitchen.short_of(tree.units):
         yield Finding("C6", f"{needed} are needed, and the kitchen that was named has {there}", None, (leaf,))
-
-
-def _at_hand_so(finding: Finding, kitchen: Kitchen) -> bool:
-    return finding.rule == "C6" and finding.step is not None and any(map(kitchen.names_so, finding.nodes))
 
 
 def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report]) -> Iterator[Report]:

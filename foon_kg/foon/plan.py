@@ -120,7 +120,8 @@ class Plan:
         >>> plan.check().accepted
         True
         """
-        return check(self.result.tree, self._foon.known_with(self._settings), free=self._settings.kitchen.free_foods)
+        known, kitchen = self._foon.known_with(self._settings), self._settings.kitchen
+        return check(self.result.tree, known, kitchen.free_foods, named_so=kitchen.names_so)
 
     def explain(self) -> tuple[Explanation, ...]:
         """Return for each asked food why it is made as it is: after which dish, where it joins, on what evidence.

@@ -53,7 +53,7 @@ from foon_kg.plans.progress import lines_of_things
 from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
-from foon_kg.validation import Finding, check
+from foon_kg.validation import check
 
 MOST_TRIES = 5
 """How many frames are tried, the best first, before it is said that there is no tree."""
@@ -228,7 +228,7 @@ class PlannedRecipe:
             except RefusedError as error:
                 troubles.append(f"{fit.frame.goal.label}: {error}")
                 continue
-            faults = [one for one in attempt.report.findings if not one.minor and not self._is_at_hand_so(one)]
+            faults = [one for one in attempt.report.findings if not one.minor]
             if faults:
                 troubles.append(f"{fit.frame.goal.label}: {faults[0].reason} ({faults[0].rule})")
             elif attempt.missing:
@@ -285,6 +285,7 @@ class PlannedRecipe:
         asked = Asked(self.wants, dish_type, self.recipe.title or "", self.known)
         tin = next((dish.tin for dish in reversed(asked.dishes) if dish.tin), "")
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.likes.instead)
+        bench.found_on = self.kitchen.found_on
         called = self._called(fit, asked, dish_type, tin)
         line, joins, one_pot = arranged(frame.line, fit.joins, self.parts, called, self.known)
         label = frame.goal.label if has_its_name(fit, asked, dish_type, tin, self.technique) else dish_type
@@ -298,7 +299,7 @@ class PlannedRecipe:
         tree = with_unheeded(tree, self.asks, self.wants, self.known)
         result = self._result(fit, tree, dish_type)
         self._refuse_avoided(result)
-        report = check(result.tree, free=self.kitchen.free_foods)
+        report = check(result.tree, free=self.kitchen.free_foods, named_so=self.kitchen.names_so)
         return Attempt(replace(fit, joins=joins), tree, result, report, self._missing(result), cooking)
 
     def _called(self, fit: Fit, asked: Asked, dish_type: str, tin: str) -> Called:
@@ -347,10 +348,6 @@ class PlannedRecipe:
                 if singular(name) == singular(want.label) or self.likes.alike(want.label, singular(name)) >= FAIR:
                     found.setdefault(name, number)
         return found
-
-    def _is_at_hand_so(self, finding: Finding) -> bool:
-        """Whether a leaf is found to be taken as a person said that it is there."""
-        return finding.rule == "C6" and any(map(self.kitchen.names_so, finding.nodes))
 
     def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:
         """Return the leaves that are not in the kitchen that a person named, nearest to the goal first."""

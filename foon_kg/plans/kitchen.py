@@ -125,6 +125,11 @@ class Kitchen:
         """Return the states beyond those of shops in which alone a person named a food; none where nobody did."""
         return ()
 
+    @property
+    def found_on(self) -> Mapping[str, tuple[str, ...]]:
+        """The states of the appliances, by name, that give heat already, as a person said."""
+        return {}
+
     def names_so(self, _: ObjectNode) -> bool:
         """Whether a person said of a thing that it is so: in which state, where, or with which contents."""
         return False

@@ -134,6 +134,12 @@ class StockedKitchen(Kitchen):
         states = named.pop() if len(named) == 1 else ()
         return tuple(state for state in states if not super(StockedKitchen, self).is_start_state(food, state))
 
+    @property
+    def found_on(self) -> Mapping[str, tuple[str, ...]]:
+        """The states of the appliances, by name, that were named as giving heat already, and not as off, too."""
+        named = {thing.label: thing.states for thing in self.utensils_named or () if _gives_heat(thing)}
+        return {name: states for name, states in named.items() if len(self._utensils_called(name)) == 1}
+
     def names_so(self, node: ObjectNode) -> bool:
         """Whether a person said of ``node`` that it is in these states, in this place, or with these contents."""
         if self.is_food(node):
@@ -343,6 +349,13 @@ def _holds_what_is_put(container: str) -> bool:
     """Whether a vessel, tool or appliance holds only what somebody puts into it: no place, tap, fridge or packet."""
     row = tables().utensil(container)
     return row is None or not (row.role == "place" or row.always_on or row.keeps_food)
+
+
+def _gives_heat(thing: ObjectNode) -> bool:
+    """Whether a thing is an appliance that heats, and is on."""
+    row, on = tables().utensil(thing.label), tables().utensil_states["on"]
+    heats = row is not None and row.role == "appliance" and row.source == "heat" and not row.always_on
+    return heats and not on.isdisjoint(map(folded, thing.states))
 
 
 def _says(thing: ObjectNode, state: str) -> bool:

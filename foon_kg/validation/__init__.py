@@ -77,17 +77,19 @@ def check(
     foon: KnownFoon | None = None,
     free: frozenset[str] = FREE,
     lacks: Callable[[ObjectNode], bool] | None = None,
+    named_so: Callable[[ObjectNode], bool] | None = None,
 ) -> Report:
     """Judge ``tree`` against ``foon``; ``free`` are the foods that may be used unasked.
 
-    ``lacks`` says of a leaf whether it is missing from a kitchen that a person named (C6).
+    ``lacks`` says of a leaf whether it is missing from a kitchen that a person named (C6), ``named_so`` whether they
+    said that it is so: chopped, in a bowl, on.
 
     A reference tree (classic retrieval) keeps the paper's terms, in which nothing is used up: only C1, C2, C3 and C8
     are asked of it.
     """
     if foon is not None and tree.level is not None:
         foon = foon.at(tree.level)
-    case = Case(tree, foon, free, lacks)
+    case = Case(tree, foon, free, lacks, named_so)
     not_asked = tuple(_not_asked(case))
     skipped = {rule for rule, why in not_asked if not why.startswith("in part")}
     if tree.error is not None:

@@ -28,6 +28,7 @@ class Case:
     foon: KnownFoon | None
     free: frozenset[str] = FREE
     lacks: Callable[[ObjectNode], bool] | None = None
+    named_so: Callable[[ObjectNode], bool] | None = None
 
     @property
     def recipe(self) -> Recipe | None:
@@ -53,6 +54,8 @@ class Case:
     def world(self) -> World:
         """The kitchen after the whole tree was played in it."""
         world = World([wanted.object for wanted in self.required])
+        on = (node for node in self.tree.leaves if self.is_named_so(node))
+        world.supply.found_on = frozenset(singular(node.label) for node in on if world.reader.read(node).on)
         for unit in self.tree.units:
             world.play(unit.step)
         return world
@@ -87,6 +90,10 @@ class Case:
     def reader(self) -> Reader:
         """What reads nodes in this kitchen."""
         return self.world.reader
+
+    def is_named_so(self, node: ObjectNode) -> bool:
+        """Whether a person said that a leaf, ``node``, is at hand just so."""
+        return self.named_so is not None and self.named_so(node)
 
     def is_food(self, node: ObjectNode) -> bool:
         """Whether a node is a food in this kitchen."""

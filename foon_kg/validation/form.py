@@ -224,13 +224,15 @@ def kitchen(case: Case) -> Iterator[Finding]:
             yield Finding("C6", "it is not in the kitchen that was named", place, (node,))
             continue
         reason = _utensil_fault(case, said) if not said.is_food else _food_fault(case, said)
-        if reason and node not in assumed and not _brought_on(case, node, place):
+        if reason and node not in assumed and not _is_so_already(case, node, place):
             yield Finding("C6", reason, place, (node,))
     yield from _assumptions(case)
 
 
-def _brought_on(case: Case, node: ObjectNode, place: int) -> bool:
-    """Whether an earlier step brought the thing so, though it did not say the whole node."""
+def _is_so_already(case: Case, node: ObjectNode, place: int) -> bool:
+    """Whether a person said that it is so, or an earlier step brought it so, though it did not say the whole node."""
+    if case.is_named_so(node):
+        return True
     played_step = case.played_steps[place]
     said = case.read(node)
     if said.is_food:

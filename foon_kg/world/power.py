@@ -179,6 +179,13 @@ def _switch(supply: Supply, said: NodeReading, node: ObjectNode, played_step: Pl
         _turn(vessel, burner, on=said.on)
     else:
         vessel.power[burner] = said.on
+    _name_burner(supply, vessel, burner)
+
+
+def _name_burner(supply: Supply, vessel: Vessel, burner: str) -> None:
+    """Let the burner that is on before the first step be the first that is named."""
+    if burner and vessel.label in supply.found_on:
+        vessel.power.pop("", None)
 
 
 def _turn(vessel: Vessel, burner: str, *, on: bool) -> None:

@@ -25,12 +25,13 @@ class Supply:
     """All things that are there, and how nodes are told to be one of them.
 
     ``asked`` says how often each food was asked for, which is how many undivided ones a kitchen has; one of each where
-    nobody asked.
+    nobody asked. ``found_on`` are the appliances that are on before the first step, by their names.
     """
 
     def __init__(self, reader: Reader, asked: dict[str, int]) -> None:
         self.reader = reader
         self.asked = asked
+        self.found_on: frozenset[str] = frozenset()
         self.lumps: dict[str, list[Lump]] = {}
         self.vessels: dict[str, list[Vessel]] = {}
         self.known_lumps: dict[ObjectNode, Lump] = {}
@@ -73,7 +74,7 @@ class Supply:
         row = self.reader.utensil(label)
         if row is None:  # a food that something lies on, or a place that nobody lists
             row = _PLACE
-        vessel = Vessel(label, row, number=number)
+        vessel = Vessel(label, row, number=number, power={"": True} if label in self.found_on else {})
         self.vessels.setdefault(label, []).append(vessel)
         if number is not None:
             self.numbered_vessels[number] = vessel

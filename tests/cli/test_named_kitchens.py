@@ -87,6 +87,18 @@ def test_what_is_there_opened_or_in_the_asked_state_is_taken_as_it_is(kitchen, t
 
 
 @pytest.mark.slow
+def test_a_stove_that_is_on_is_used_as_it_is_and_turned_off_in_the_end(kitchen):
+    file = kitchen(PANS.replace("stove", "stove, on"))
+    answer = foon("plan", "--dish", "omelette", "egg", "butter", "salt", "--kitchen", file, "--json")
+    plan = json.loads(answer.stdout)
+    assert ("stove", ["on"]) in [(leaf["label"], leaf["states"]) for leaf in plan["kitchen"]]
+    motions = [unit["motion_node"] for unit in plan["units"]]
+    assert ("turn on" in motions, motions.count("turn off")) == (False, 1)
+    assert foon("check", "-", "--kitchen", file, stdin=answer.stdout).exit_code == 0
+    assert "the stove is said to be on, and nobody turned it on" in foon("check", "-", stdin=answer.stdout).stdout
+
+
+@pytest.mark.slow
 def test_a_kitchen_says_how_many_and_one_too_few_is_told(kitchen):
     def file(boards, name):
         return kitchen(UTENSILS.replace("cutting board", boards), name)

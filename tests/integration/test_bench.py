@@ -52,9 +52,11 @@ LIKELY = {"heat": 20, "blend": 30, "bake": 30, "switch": 8, "fetch": 4, "cut": 4
 class Cook:
     """Does on a bench what is possible, and plays it at once in the world of the judge."""
 
-    def __init__(self):
+    def __init__(self, found_on=None):
         self.bench = bench()
+        self.bench.found_on = found_on or {}
         self.world = World()
+        self.world.supply.found_on = frozenset(found_on or ())
         self.vessels = [self.bench.vessel(label) for label in VESSELS]
         self.free = []
         self.fresh = list(FOODS)
@@ -199,7 +201,7 @@ def _vessel(vessel):
 @st.composite
 def cooks(draw, most=40):
     """Draw a cook after some possible steps, each of which was played in the world of the judge."""
-    cook = Cook()
+    cook = Cook(draw(st.sampled_from([{}, {"oven": ("preheated",)}, {"stove": ("on",)}])))
     for _ in range(draw(st.integers(most // 4, most))):
         moves = cook.moves()
         kind = draw(st.sampled_from([kind for kind in sorted(moves) for _ in range(LIKELY.get(kind, 1))]))
@@ -324,3 +326,15 @@ def test_nearer_evidence_comes_first_and_of_equal_ones_the_first_way():
     assert one.attest(ways, ("leek",)).like == ("leek", "onion", 0.8)
     assert one.attest([("levitate", ())], ("tomato",)) is None
     assert one.first([("levitate", ()), ("slice", ("knife",))], ("tomato",)).way == ("slice", ("knife",))
+
+
+def test_an_oven_that_was_found_on_is_used_so_and_turned_off_once():
+    cook = Cook({"oven": ("preheated",)})
+    tray = next(vessel for vessel in cook.vessels if vessel.label == "baking tray")
+    oven = cook.bench.place(tray, "oven", "in")
+    cook.bench.switch(None, oven, on=True)
+    cook.bench.all_off()
+    cook.check()
+    first, last = (done.step for done in cook.bench.done)
+    assert "oven (preheated)" in map(str, (one.node for one in first.inputs))
+    assert [str(one.node) for one in last.outputs] == ["oven (off)"]

@@ -13,14 +13,9 @@ KITCHEN = Kitchen.default()
 def judge(result: PlanResult, snapshot: Snapshot, kitchen: Kitchen = KITCHEN) -> Report:
     """Return the judge's report."""
     foon = KnownFoon.of(snapshot.units, snapshot.goals())
-    return check(tree_from_json(result.to_json()), foon, kitchen.free_foods, kitchen.lacks)
+    return check(tree_from_json(result.to_json()), foon, kitchen.free_foods, kitchen.lacks, kitchen.names_so)
 
 
 def fatal(result: PlanResult, snapshot: Snapshot, kitchen: Kitchen = KITCHEN) -> list[str]:
     """Return the fatal findings, as a person reads them; what was named as being there so may be taken so (C6)."""
-
-    def is_there_so(finding):
-        return finding.rule == "C6" and any(map(kitchen.names_so, finding.nodes))
-
-    found = judge(result, snapshot, kitchen).findings
-    return [str(finding) for finding in found if not finding.minor and not is_there_so(finding)]
+    return [str(finding) for finding in judge(result, snapshot, kitchen).findings if not finding.minor]

@@ -2,7 +2,7 @@
 
 A thing of the plan (this onion, that bowl) is a constant; so is each form in which one is seen (chopped; empty; holding
 an onion). A step needs its inputs in their forms and places; then those are gone, and the outputs have theirs. A food
-that goes into others is gone for good. In the end the dish is there, and every appliance is as it was found.
+that goes into others is gone for good. In the end the dish is there, and every appliance is as its last step leaves it.
 """
 
 from __future__ import annotations

@@ -46,6 +46,9 @@ class Bench(Handwork):
 
         def change() -> None:
             vessel.device, vessel.relation = device, relation
+            if 0 in device.running and self.has_burners(device):  # the burner that was found on
+                device.running.symmetric_difference_update({0, vessel.number})
+                self.standing[vessel.number] = vessel
 
         self.emit(attested, [vessel, device], change, [vessel, (device, vessel)])
         self.placed.append(vessel)
@@ -120,6 +123,7 @@ class Bench(Handwork):
 
         def change() -> None:
             (device.running.add if on else device.running.discard)(number)
+            device.found = ()
 
         self.emit(attested, [thing], change, [thing], motion=name)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from foon_kg.food import Tables
 from foon_kg.integration.bench.things import Device, Shown, Stuff, Thing, Vessel, foods_of, is_flat
@@ -11,10 +11,14 @@ from foon_kg.world import Mention
 
 
 class Inventory:
-    """The things of a kitchen during the making of one dish."""
+    """The things of a kitchen during the making of one dish.
+
+    ``found_on`` has the states of the appliances, by name, that are on before it.
+    """
 
     def __init__(self, known: Tables) -> None:
         self.known = known
+        self.found_on: Mapping[str, tuple[str, ...]] = {}
         self.devices: dict[str, Device] = {}
         self.tools: dict[str, int] = {}
         self._numbers = 0
@@ -34,7 +38,10 @@ class Inventory:
         """Return the appliance called ``label``, always the same: a kitchen has one of each kind."""
         if label not in self.devices:
             row = self.known.utensil(label)
-            self.devices[label] = Device(label, self.number(), always_on=row is not None and row.always_on)
+            found = self.found_on.get(label, ())
+            running = {0} if found else set()
+            always_on = row is not None and row.always_on
+            self.devices[label] = Device(label, self.number(), always_on=always_on, running=running, found=found)
         return self.devices[label]
 
     def fetch(
@@ -123,12 +130,12 @@ class Inventory:
         return states
 
     def _device(self, device: Device) -> Mention:
-        states = ("on",) if device.always_on or device.running else ("off",)
+        states = device.when_on if device.always_on or device.running else ("off",)
         return Mention(shared_node(device.label, states), device.number)
 
     def _device_with(self, device: Device, vessel: Vessel) -> Mention:
         running = vessel.number in device.running if self.has_burners(device) else bool(device.running)
-        states = ("on",) if device.always_on or running else ("off",)
+        states = device.when_on if device.always_on or running else ("off",)
         if vessel.device is not device:
             return Mention(shared_node(device.label, states), device.number)
         # the node of a vessel says "in [oven]", that of the appliance the same from its side

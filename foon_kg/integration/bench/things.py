@@ -15,13 +15,20 @@ _FLAT = word_list("flat utensils")
 class Device:
     """An appliance, and whether it is on: ``running`` has the numbers of the vessels for which it is.
 
-    A stove has a burner for each vessel; any other appliance is on for all of them, which is the number 0.
+    A stove has a burner for each vessel; any other appliance is on for all of them, which is the number 0. One that was
+    found on is so in the states ``found``, until somebody turns it on or off; on a stove that is the first burner used.
     """
 
     label: str
     number: int
     always_on: bool = False
     running: set[int] = field(default_factory=set)
+    found: tuple[str, ...] = ()
+
+    @property
+    def when_on(self) -> tuple[str, ...]:
+        """The states in which it is while it is on."""
+        return self.found or ("on",)
 
 
 @dataclass(eq=False)
