@@ -42,7 +42,7 @@ class Readying:
         ready = self.alone.preparer.prepare(want, form, divided=not blended, alone=bool(method))
         if method:
             self._cut_once_done(join, ready)
-        elif self.plan.by_bites and not blended:
+        elif self.plan.by_bites and not blended and not _is_done_later(join, {"cut"}):
             self.alone.preparer.cut_to_bites(ready)
         self.ready[want.number] = ready
         self.alone.beaten_first(join, ready)
