@@ -29,22 +29,9 @@ _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(
 
 
 TABLES = (
-    "regional",
-    "lands",
-    "vegetables",
-    "eggs",
-    "handheld",
-    "morsels",
-    "cold",
-    "pies",
-    "sauces",
-    "drinks",
-    "flesh",
-    "savoury",
-    "techniques",
-    "methods",
-    "grains",
-)
+    "steamed", "regional", "lands", "vegetables", "eggs", "handheld", "morsels", "cold", "pies", "sauces", "drinks",
+    "flesh", "savoury", "techniques", "methods", "grains",
+)  # fmt: skip
 """The documents with rows of techniques, in the order in which these are tried."""
 
 
@@ -172,7 +159,7 @@ class Work:
     order of what they are. ``on_top``: what joins only lies on it. ``bath``: it is done in water that is poured off.
     ``always``: it is done even to one food that needs no work.
     ``lifts``: flesh is lifted out of the rest; ``rejoins``: that comes to it again. ``thins``: what is dry gets water
-    there, unless something liquid is asked.
+    there, unless something liquid is asked. ``over`` is in what water boils under the vessel, which stands above it.
     """
 
     motion: str = ""
@@ -191,6 +178,7 @@ class Work:
     lifts: bool = False
     rejoins: bool = False
     thins: bool = False
+    over: str = ""
 
 
 @dataclass(frozen=True)

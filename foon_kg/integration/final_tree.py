@@ -25,9 +25,6 @@ _COOKED = "cooked"
 _READ = 1.0
 """How sure it is what a crude word of a recipe means: it was read by a table, and no likeness was weighed."""
 
-_SWITCHED = 0.9
-"""How sure it is that what can be turned on can be turned off, though no video shows it."""
-
 
 @dataclass(frozen=True)
 class FinalTree:
@@ -86,9 +83,9 @@ def _objects(bench: Bench, others: Others) -> Iterator[Substitution]:
 
 
 def _motions(bench: Bench) -> Iterator[Substitution]:
-    """Yield how appliances are turned on and off that no video turns so."""
-    for (device, required), equivalent in sorted(bench.other_motions.items()):
-        yield Substitution("motion", device, required, equivalent, _SWITCHED, ())
+    """Yield what no video does to a thing, and is done to it: an appliance is turned off, a fish is steamed."""
+    for (thing, required), (equivalent, sure) in sorted(bench.other_motions.items()):
+        yield Substitution("motion", thing, required, equivalent, sure, ())
 
 
 def _states(bench: Bench, cooking: Cooking, wants: Sequence[Want]) -> Iterator[Substitution]:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 
 from foon_kg.food import Tables, singular, tables
 from foon_kg.model.tree import Mention, Step
-from foon_kg.world import contents, foods, power, treatment, vessels
+from foon_kg.world import contents, foods, power, steam, treatment, vessels
 from foon_kg.world.outcome import Outcome
 from foon_kg.world.played_step import PlayedStep
 from foon_kg.world.reading import NodeReading, Reader, reader
@@ -42,6 +42,7 @@ class World:
         self._take_vessels(step.inputs, said, played_step)
         self._take_foods(step.inputs, said, played_step)
         power.check_inputs(played_step)
+        steam.check_inputs(played_step)
         before = {id(lump): lump.where for vessel in played_step.vessels for lump in vessel.lumps}
         before |= {id(lump): lump.where for lump in played_step.inputs}
         outcome = Outcome(self.supply, played_step, before)

@@ -238,9 +238,15 @@ class _Reading:
         held = self._held_in(vessel) if vessel is not None else []
         where = vessel.label if vessel is not None and held else _only_place(foods)
         said = self._done_with(foods, held, where)
-        said += f" {self._relation(where)} the {where}" if where else ""
+        said += f" {self._relation(where)} the {where}{self._over(where)}" if where else ""
         used = {where or "", *(food.container or "" for food in self._foods)}
         return said + self._with_tools(used) + self._gives[1] + self._making(held)
+
+    def _over(self, where: str) -> str:
+        """Return over what a vessel stands that is in another one: "over the water in the pot"; else ``""``."""
+        holders = {node.container for node in self._utensils if node.label == where}
+        under = next((node for node in self._utensils if node.label in holders and node.ingredients), None)
+        return f" over {the(under.ingredients)} in the {under.label}" if under is not None else ""
 
     def _done_with(self, foods: Sequence[ObjectNode], held: list[str], where: str | None) -> str:
         """Return the verb with its objects: what a vessel held, and ``foods`` that come to it; of many "everything"."""
@@ -328,7 +334,7 @@ class _Reading:
         after, before = _called(label, self._food_made), _called(label, self._foods)
         if len(after) != 1 or not (before or motions.heats(self._verb)):
             return []
-        known = {state for node in before for state in node.states}
+        known = {state for node in before or self._foods for state in node.states}
         return [state for state in after[0].states if state not in known]
 
     def _until_utensil(self, node: ObjectNode) -> str:

@@ -15,6 +15,9 @@ _BRINGS = frozenset({"coat", "fetch", "move", "scatter"})
 _PLACES = {"on": ("pick-and-place", "place"), "in": ("put inside", "insert", "pick-and-place")}
 """By which motions a vessel comes on or in an appliance."""
 
+_SWITCHED = 0.9
+"""How sure it is that what can be turned on can be turned off, though no video shows it."""
+
 _ATTACHES = ("attach", "insert", "pick-and-place")
 
 
@@ -23,15 +26,15 @@ class Bench(Handwork):
 
     ``likes`` names the known foods that can stand for one, ``alike`` says how sure that is; foods in ``instead`` are
     to be handled like another one. ``standing`` are the vessels that were heated, by their numbers; ``placed`` those
-    that stand at an appliance; ``other_motions`` has, for an appliance and the motion that undoes something there, the
-    motion of the video that attests it.
+    that stand at an appliance; ``other_motions`` has, for a thing and a motion that no video does to it, the motion of
+    the video that attests it, and how sure that is.
     """
 
     def __init__(self, operators: Operators, likes: Likes, alike: Alike, instead: Collection[str] = ()) -> None:
         super().__init__(operators, likes, alike, instead)
         self.standing: dict[int, Vessel] = {}
         self.placed: list[Vessel] = []
-        self.other_motions: dict[tuple[str, str], str] = {}
+        self.other_motions: dict[tuple[str, str], tuple[str, float]] = {}
 
     # --- on and off it ---
 
@@ -97,7 +100,7 @@ class Bench(Handwork):
             attested = self.first([(name, ()) for name in names], foods)
         except RefusedError:
             attested = self.require(self._ways_with(device, others), foods)
-            self.other_motions[device, names[0]] = attested.way[0]
+            self.other_motions[device, names[0]] = (attested.way[0], _SWITCHED)
             return names[0], attested
         return attested.way[0], attested
 
@@ -106,6 +109,33 @@ class Bench(Handwork):
         ways = [way for motion in motions for way in self.operators.ways_of(motion) if not way[1]]
         bare = (way for way in self.operators.evidence if not way[1])
         return [*ways, *sorted(way for way in bare if self.operators.works_on(way, device))]
+
+    # --- over another vessel ---
+
+    def stand_over(self, vessel: Vessel, pot: Vessel) -> None:
+        """Put a vessel into a pot, above the water of that; raises :class:`RefusedError` where the pot is covered."""
+        if pot.lid:
+            raise RefusedError(f"the {pot.label} is covered")
+        attested = self.first([(motion, ()) for motion in _PLACES["in"]], foods_of(vessel))
+
+        def change() -> None:
+            vessel.over = pot
+
+        self.emit(attested, [vessel, pot], change, [vessel, pot])
+
+    def lift_off(self, vessel: Vessel) -> None:
+        """Take a vessel out of the pot in which it stands; raises :class:`RefusedError` where that is covered."""
+        pot = vessel.over
+        if pot is None:
+            return
+        if pot.lid:
+            raise RefusedError(f"the {pot.label} is covered")
+        attested = self.first([(motion, ()) for motion in ("remove", "take out", "pick-and-place")], foods_of(vessel))
+
+        def change() -> None:
+            vessel.over = None
+
+        self.emit(attested, [vessel, pot, *vessel.contents], change, [vessel, pot, *vessel.contents])
 
     # --- on and off ---
 

@@ -155,30 +155,43 @@ class Handwork(Steps):
         *,
         with_device: bool = True,
         extra: Device | None = None,
+        motion: str = "",
     ) -> Stuff:
         """Work on all that is in a vessel, which is one thing called ``label`` from then on, and return that.
 
         It is done as is ``attested`` and has ``states`` then. ``with_device``: what the vessel stands on takes part,
-        and has to be on where this heats; ``extra``: so does an appliance that is held in the hand. Raises
-        :class:`RefusedError` where it is off.
+        and has to be on where this heats; ``extra``: so does an appliance that is held in the hand. ``motion`` is what
+        is done, where the evidence shows another motion. Raises :class:`RefusedError` where it is off.
         """
-        motion = attested.way[0]
-        heats = vessel.device is not None and not self.known.motion(motion).does.isdisjoint({"heat", "warm"})
+        did = motion or attested.way[0]
+        under = self.under(vessel)
+        heats = bool(under) and not self.known.motion(did).does.isdisjoint({"heat", "warm"})
         devices: list[Shown] = [] if extra is None else [extra]
-        if with_device and vessel.device is not None:
-            devices.append((vessel.device, vessel))
+        if with_device and under:
+            devices += under
             if heats and not self.is_running(vessel):
-                raise RefusedError(f"the {vessel.device.label} under the {vessel.label} is off")
+                raise RefusedError(f"what is under the {vessel.label} is off")
         inputs: list[Shown] = [vessel, *devices, *vessel.contents]
         whole = self._as_one(vessel, label, states)
 
         def change() -> None:
             vessel.contents[:] = [whole]
             whole.states = states
-            vessel.hot = motion not in word_list("cools") and (vessel.hot or heats)
+            vessel.hot = did not in word_list("cools") and (vessel.hot or heats)
 
-        self.emit(attested, inputs, change, [vessel, whole])
+        self.emit(attested, inputs, change, [vessel, whole, *self.water_under(vessel)], motion=motion)
         return whole
+
+    def under(self, vessel: Vessel) -> list[Shown]:
+        """Return what is under a vessel: the appliance, or the vessel over whose water it stands and what that has."""
+        if vessel.over is not None:
+            return [*self.water_under(vessel), *self.under(vessel.over)]
+        return [] if vessel.device is None else [(vessel.device, vessel)]
+
+    @staticmethod
+    def water_under(vessel: Vessel) -> list[Shown]:
+        """Return the vessel over which a ``vessel`` stands, and its water; nothing for what stands in none."""
+        return [] if vessel.over is None else [vessel.over, *vessel.over.contents]
 
     def _as_one(self, vessel: Vessel, label: str, states: tuple[str, ...]) -> Stuff:
         """Return all that is in a vessel as one thing: what is called so already, and what is alone, stays that.

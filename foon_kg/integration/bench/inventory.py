@@ -67,6 +67,8 @@ class Inventory:
 
     def is_running(self, vessel: Vessel) -> bool:
         """Return whether the appliance of ``vessel`` is on for it; what stands on none is not heated."""
+        if vessel.over is not None:
+            return self.is_running(vessel.over)
         device = vessel.device
         if device is None:
             return False
@@ -110,11 +112,9 @@ class Inventory:
             return Mention(shared_node(vessel.label), vessel.number)
         names = foods_of(vessel)
         states = self._states_of(vessel, names)
-        if vessel.device is not None:
-            return Mention(
-                shared_node(vessel.label, states, names, vessel.relation, vessel.device.label),
-                vessel.number, vessel.device.number,
-            )  # fmt: skip
+        under, relation = (vessel.over, "in") if vessel.over is not None else (vessel.device, vessel.relation)
+        if under is not None:
+            return Mention(shared_node(vessel.label, states, names, relation, under.label), vessel.number, under.number)
         if vessel.lid:
             return Mention(shared_node(vessel.label, states, names, "covered", vessel.lid), vessel.number)
         return Mention(shared_node(vessel.label, states, names), vessel.number)
@@ -125,7 +125,7 @@ class Inventory:
         states: tuple[str, ...] = () if foods or vessel.storage else ("empty",)
         if vessel.hot:
             states += ("hot",)
-        if vessel.lid and vessel.device is not None:
+        if vessel.lid and (vessel.device is not None or vessel.over is not None):
             states += (f"covered [{vessel.lid}]",)
         return states
 

@@ -36,7 +36,8 @@ class Vessel:
     """A vessel with what is in or on it.
 
     ``device`` is what it stands on or in or is attached to, ``relation`` how (``"on"``, ``"in"``, ``"attached to"``).
-    ``storage``: it is what a food is sold or kept in, and no vessel to work in.
+    ``over`` is the vessel in which it stands, above the water of that. ``storage``: it is what a food is sold or kept
+    in, and no vessel to work in.
     """
 
     label: str
@@ -44,6 +45,7 @@ class Vessel:
     contents: list[Stuff] = field(default_factory=list)
     device: Device | None = None
     relation: str = ""
+    over: Vessel | None = None
     lid: str = ""
     hot: bool = False
     storage: bool = False

@@ -27,7 +27,18 @@ from foon_kg.integration.composing.assigning import MAIN, assigned, has_its_food
 from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
 from foon_kg.integration.teaching.forms import form_of
-from foon_kg.integration.teaching.frames import BATH, THINNED, Asked, LiftedOut, Line, Phase, Rejoined, Slot, Stage
+from foon_kg.integration.teaching.frames import (
+    BATH,
+    THINNED,
+    Asked,
+    LiftedOut,
+    Line,
+    Phase,
+    Rejoined,
+    Slot,
+    Stage,
+    Steamed,
+)
 
 
 def technique_for(
@@ -215,6 +226,8 @@ class _Placed:
 
 def _kind_of(work: Work) -> Callable[..., Stage]:
     """Return what makes a stage of the kind that does such ``work``; a plain stage for most."""
+    if work.over:
+        return partial(Steamed, over=work.over)
     if work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased:
         return partial(Phase, bath=work.bath)
     if work.lifts:

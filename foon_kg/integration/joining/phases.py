@@ -40,7 +40,7 @@ from foon_kg.integration.joining.course import WORKS, Plan
 from foon_kg.integration.joining.patterns import STIR
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.preparing.preparation import Want
-from foon_kg.integration.teaching.frames import HEATS, Line, Phase, Slot, Stage
+from foon_kg.integration.teaching.frames import HEATS, Line, Phase, Slot, Stage, Steamed
 
 # a stage that does more (shape, blend, bake) is no cooking in one open vessel, and stays what it is
 _DONE_OVER_HEAT = HEATS | {"mix", "liquid", "move", "fat", "coat"}
@@ -160,12 +160,12 @@ class _Phaser:
 
     def _strains(self, stage: Stage) -> bool:
         row = self.known.utensil(stage.vessel) if stage.vessel else None
-        return row is not None and "strain" in row.can
+        return row is not None and "strain" in row.can and not stage.heats  # nothing runs off in a steamer
 
     def _is_over_heat(self, stage: Stage) -> bool:
         row = self.known.utensil(stage.appliance) if stage.appliance else None
         over = row is not None and row.source == "heat" and row.holds == "on"
-        return over and bool(stage.motion) and stage.does <= _DONE_OVER_HEAT
+        return over and bool(stage.motion) and stage.does <= _DONE_OVER_HEAT and not isinstance(stage, Steamed)
 
     # --- phases ---
 

@@ -165,7 +165,11 @@ class Carrier:
     def _is_in_tin(self, vessel: Vessel) -> bool:
         """Whether something was baked in a tin with a rim."""
         row = self.known.utensil(vessel.label)
-        return row is not None and row.group == "tins" and any("baked" in stuff.states for stuff in vessel.contents)
+        return (
+            row is not None
+            and row.group == "tins"
+            and any(says(stuff.states, "sets in what it is heated in") for stuff in vessel.contents)
+        )
 
     def _cool(self, vessel: Vessel) -> None:
         """Let what was baked cool in its tin, or it breaks when it comes out."""

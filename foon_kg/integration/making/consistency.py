@@ -32,7 +32,7 @@ def is_wet(stuff: Stuff, known: Tables) -> bool:
     if is_runny(stuff.label, stuff.states, stuff.foods, known):
         return True
     foods = [known.foods.food(food) for food in stuff.foods]
-    if "baked" not in stuff.states and _stays_liquid(stuff, foods):
+    if not says(stuff.states, "sets in what it is heated in") and _stays_liquid(stuff, foods):
         return True
     if is_heated(stuff.states, known):
         return not _has_set(stuff, foods, known) and _has_liquid_left(foods)
@@ -68,8 +68,14 @@ def _has_set(stuff: Stuff, foods: Sequence[Food], known: Tables) -> bool:
 
 
 def _is_baked_firm(stuff: Stuff, known: Tables) -> bool:
-    """Whether a mixture was baked, and something in it bound the rest."""
-    return "baked" in stuff.states and binds(stuff.foods, known)
+    """Whether a mixture was baked or steamed, and something in it bound the rest."""
+    if not says(stuff.states, "sets in what it is heated in"):
+        return False
+    steamed = "baked" not in stuff.states
+    swells = steamed and any(
+        known.foods.food(food).is_any(word_list("sets when it is steamed")) for food in stuff.foods
+    )
+    return swells or binds(stuff.foods, known)
 
 
 def _has_liquid_left(foods: Sequence[Food]) -> bool:

@@ -29,11 +29,12 @@ from foon_kg.integration.making.readying import Readying
 from foon_kg.integration.making.serving import Serving
 from foon_kg.integration.making.stacking import Stacking
 from foon_kg.integration.making.stages import Stages
+from foon_kg.integration.making.steaming import Steaming
 from foon_kg.integration.making.turns import Incoming, Turn, turns_of
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.preparing.preparer import Preparer
-from foon_kg.integration.teaching.frames import LiftedOut, Line, Stage
+from foon_kg.integration.teaching.frames import LiftedOut, Line, Stage, Steamed
 
 
 class Cooking:
@@ -62,6 +63,7 @@ class Cooking:
         self.placing = Placing(bench, self.stages, self.carry, self.work, self.ready)
         self.adding = Adding(self.alone, self.placing)
         self.doing = Doing(self.placing)
+        self.steaming = Steaming(self.doing)
         self.lifting = Lifting(self.work)
 
     # --- the whole ---
@@ -193,6 +195,8 @@ class Cooking:
         self.alone.cooling.before(stage, vessel, beside, turn.later)
         if self.dipping.is_for(stage, vessel, incoming):
             return self.dipping.done(stage, vessel, incoming)
+        if isinstance(stage, Steamed):
+            return self.steaming.done(turn, stage, vessel, incoming)
         return self._brought_and_done(turn, vessel, incoming)
 
     def _take_all(self, later: Sequence[Stage], incoming: Incoming, made: dict[int, Vessel]) -> None:

@@ -14,7 +14,7 @@ from foon_kg.model.values import made_often
 
 
 @made_often()
-class _Product:
+class Product:
     """What comes of work: one thing called ``label`` (``""``: each food stays what it is) in these ``states``."""
 
     label: str
@@ -70,11 +70,11 @@ class Doing:
 
     def _work(self, turn: Turn, vessel: Vessel, attested: Attested, *, with_device: bool) -> None:
         """Work on what is in a vessel in the way that is attested."""
-        product = self._product(turn, vessel, attested.way)
+        product = self.product(turn, vessel, attested.way)
         if not product.label:
             self.work.work_each(vessel, attested, product.states, with_device=with_device)
             return
-        if [_Product(stuff.label, stuff.states) for stuff in vessel.contents] == [product]:
+        if [Product(stuff.label, stuff.states) for stuff in vessel.contents] == [product]:
             return  # it is so already
         self.bench.work(vessel, attested, product.label, product.states, with_device=with_device)
         if turn.mixes_cold and not self._is_mixed_later(turn):
@@ -84,7 +84,7 @@ class Doing:
         """Whether something joins later and is mixed in."""
         return any(one.does & MIXES and self.stages.course.stage_alive(one) for one in turn.later)
 
-    def _product(self, turn: Turn, vessel: Vessel, way: Way) -> _Product:
+    def product(self, turn: Turn, vessel: Vessel, way: Way) -> Product:
         """Return what a stage makes of what is in a vessel, when it is done in some way."""
         finished = not turn.is_heated_on
         label = self._label(turn, vessel) or self._coated(turn, vessel)
@@ -95,7 +95,7 @@ class Doing:
         states = self.work.outcome.states(turn.stage, vessel, way, product=one, finished=finished)
         if fried is not None:
             states = self._as_fried(states, fried)
-        return _Product((label or MIXTURE) if one else "", states)
+        return Product((label or MIXTURE) if one else "", states)
 
     def _label(self, turn: Turn, vessel: Vessel) -> str:
         """Return what the whole is called after a stage; ``""`` where it gets no name by it."""

@@ -208,7 +208,7 @@ class Outcome:
 
     def is_cooked_loose(self, stuff: Stuff) -> bool:
         """Return whether ``stuff`` was cooked, and not baked in one piece."""
-        return "baked" not in stuff.states and is_heated(stuff.states, self.known)
+        return not says(stuff.states, "sets in what it is heated in") and is_heated(stuff.states, self.known)
 
 
 def says_raw(state: str, known: Tables) -> bool:

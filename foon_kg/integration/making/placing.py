@@ -116,7 +116,7 @@ class Placing(Hands):
 
     def _lay_under(self, stage: Stage, fresh: Vessel, incoming: Incoming) -> bool:
         """Bring into a fresh vessel what comes there before what is cooked in it; return whether anything does."""
-        under = incoming.take(self._lies_under) if self._bakes(fresh.label) else []
+        under = incoming.take(self.lies_under) if self._bakes(fresh.label) else []
         for join in under:
             self.bring(join, fresh)
             self.course.at[id(stage)].remove(join)
@@ -129,8 +129,8 @@ class Placing(Hands):
         row = self.known.utensil(label)
         return row is not None and not row.can.isdisjoint({"bake", "heat", "cook"})
 
-    def _lies_under(self, join: Join) -> bool:
-        """Whether a food comes into a vessel before what is cooked in it: fat, and what lies under dough."""
+    def lies_under(self, join: Join) -> bool:
+        """Return whether that of ``join`` comes before what is cooked in its vessel: fat, and what lies under dough."""
         under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
         return join.layer < 0 or join.want.facts.is_any(under)
 

@@ -38,7 +38,7 @@ class Serving(Hands):
         """
         if not stage.does.isdisjoint(WORKS) or any(not one.does.isdisjoint(WORKS) for one in later):
             return False
-        if vessel is not None and any("baked" in stuff.states for stuff in vessel.contents):
+        if vessel is not None and any(says(stuff.states, "sets in what it is heated in") for stuff in vessel.contents):
             return False  # on what comes out of the oven in one piece it only lies
         return any(join.slot is None and not self.lies_on_top(join) for join in joins)
 

@@ -18,7 +18,7 @@ from foon_kg.integration.joining.course import MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.spots import Join, only_carries
 from foon_kg.integration.making.turns import Turn
 from foon_kg.integration.teaching.forms import form_of
-from foon_kg.integration.teaching.frames import BATH, HEATS, THINNED, Line, Phase, Slot, Stage
+from foon_kg.integration.teaching.frames import BATH, HEATS, THINNED, Line, Phase, Slot, Stage, Steamed
 
 
 class Stages:
@@ -82,7 +82,11 @@ class Stages:
     def lies_baked(self, vessel: Vessel | None) -> bool:
         """Return whether the dish in ``vessel`` comes out of the oven in one piece, however wet what lies on it is."""
         whole = self.plan.laid or self.on_plate
-        return whole and vessel is not None and any("baked" in stuff.states for stuff in vessel.contents)
+        return (
+            whole
+            and vessel is not None
+            and any(says(stuff.states, "sets in what it is heated in") for stuff in vessel.contents)
+        )
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:
         """Whether the next stage only goes on with what this one does, so that once is enough (contract C3, W4).
@@ -334,7 +338,7 @@ class Stages:
         row = self.known.utensil(vessel.label)
         ends = all(only_carries(one) and not self.course.stage_alive(one) for one in (stage, *later))
         dish = row is not None and row.group in word_list("is served in what it is baked in")
-        baked = any("baked" in stuff.states for stuff in vessel.contents)
+        baked = any(says(stuff.states, "sets in what it is heated in") for stuff in vessel.contents)
         return ends and dish and baked and not self.plan.tin and not self.plan.laid and self.has_no_portions()
 
 
@@ -343,9 +347,12 @@ def _is_over_heat(line: Line) -> bool:
 
 
 def _after_the_oven(stages: Sequence[Stage]) -> Sequence[Stage]:
-    """Return the stages that come after the last one that heats, where that is in the oven."""
+    """Return the stages that come after the last one that heats, where that is in the oven or in steam."""
     hot = [place for place, stage in enumerate(stages) if stage.heats]
-    return stages[hot[-1] + 1 :] if hot and "dry" in stages[hot[-1]].does else ()
+    if not hot:
+        return ()
+    last = stages[hot[-1]]
+    return stages[hot[-1] + 1 :] if "dry" in last.does or isinstance(last, Steamed) else ()
 
 
 def _out_of_hot_pans(stages: Sequence[Stage]) -> list[Line]:

@@ -101,6 +101,13 @@ class Asked(Stage):
 
 
 @dataclass(frozen=True)
+class Steamed(Stage):
+    """A stage at which what is in its vessel is cooked in the steam of a vessel that is ``over`` the heat, under it."""
+
+    over: str = ""
+
+
+@dataclass(frozen=True)
 class LiftedOut(Stage):
     """A stage at which flesh is lifted out of what it was cooked in."""
 

@@ -1,0 +1,104 @@
+"""What is steamed stands above water that boils, in a basket or a mould under a lid, and is lifted out of that."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, motions
+
+pytestmark = pytest.mark.shared_data
+
+DOUGH = ("flour:powder", "yeast:powder", "sugar:granulated", "water:warm")
+
+STEAMED = [
+    ("bread", "Char siu bao", "steamer basket", (*DOUGH, "roast pork:diced:filling", "oyster sauce:liquid:filling")),
+    ("bread", "Mantou", "steamer basket", DOUGH),
+    (
+        "bread", "Chicken momos", "steamer basket",
+        ("flour:powder", "water:liquid", "ground chicken:raw", "onion:chopped", "ginger:grated"),
+    ),
+    (
+        "bread", "Red pork tamales", "steamer basket",
+        ("masa harina:powder", "lard:creamy", "chicken broth:liquid", "corn husks:soaked", "pork:cubed:filling"),
+    ),
+    ("rice", "Idli", "ramekin", ("rice:uncooked", "urad dal:dried", "water:liquid", "salt:granulated")),
+    ("cake", "Puto", "cake pan", ("rice flour:powder", "sugar:granulated", "coconut milk:liquid", "egg:uncooked")),
+    (
+        "pudding", "Christmas pudding", "pudding basin",
+        ("flour:powder", "suet:creamy", "raisins:whole", "egg:uncooked", "breadcrumbs:crumbs", "brandy:liquid"),
+    ),
+    ("omelette", "Chawanmushi", "ramekin", ("eggs:uncooked", "dashi:liquid", "soy sauce:liquid", "shrimp:peeled")),
+    ("pudding", "Steamed egg custard", "ramekin", ("eggs:uncooked", "milk:liquid", "sugar:granulated")),
+    ("seafood", "Steamed fish with ginger", "steamer basket", ("sea bass:raw", "ginger:julienned", "soy sauce:liquid")),
+    (
+        "pork", "Steamed spare ribs with black bean sauce", "bowl",
+        ("pork ribs:cut", "black beans:fermented", "soy sauce:liquid", "cornstarch:powder", "garlic:minced"),
+    ),
+    ("vegetables", "Steamed broccoli", "steamer basket", ("broccoli:floret", "butter:unmelted", "salt:granulated")),
+    (
+        "seafood", "Otak otak", "steamer basket",
+        ("mackerel:raw", "banana leaves:sprig", "coconut milk:liquid", "egg:uncooked", "shallots:whole"),
+    ),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("dish_type", "title", "holder", "foods"), STEAMED, ids=[title for _, title, _, _ in STEAMED])
+def test_what_is_steamed_stands_over_boiling_water_under_a_lid(public_plans, dish_type, title, holder, foods):
+    units = public_plans(dish_type, title, *foods).units
+    place = next(n for n, unit in enumerate(units) if unit.motion == "steam")
+    there = {node.label: node for node in units[place].input_nodes}
+    assert (there[holder].relation, there[holder].container) == ("in", "pot")
+    assert there["pot"].ingredients == ("water",)
+    assert "boiling" in there["water"].states
+    assert "covered [pot lid]" in there["pot"].states
+    assert there["stove"].states == ("on",)
+    done = [unit.motion for unit in units]
+    assert done.index("boil") < place
+    after = done[place + 1 :]
+    assert after[:3] == ["turn off", "uncover", "remove"]
+    assert {"bake", "fry"}.isdisjoint(done)
+
+
+@pytest.mark.parametrize(("dish_type", "title", "holder", "foods"), STEAMED[:1])
+def test_a_plan_tells_that_no_video_steams(public_plans, dish_type, title, holder, foods):
+    found = [one for one in public_plans(dish_type, title, *foods).substitutions if one.required == "steam"]
+    assert [(one.kind, one.equivalent) for one in found] == [("motion", "boil")]
+    assert holder
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "foods"),
+    [
+        ("bread", "Baked siopao", (*DOUGH, "pork:cooked:filling")),
+        ("bread", "Pelmeni", ("flour:powder", "egg:uncooked", "water:liquid", "ground pork:raw")),
+        ("bread", "Zongzi", ("glutinous rice:uncooked", "pork belly:cubed", "bamboo leaves:dried")),
+        ("seafood", "Fried fish with ginger", ("sea bass:raw", "ginger:julienned", "oil:liquid", "flour:powder")),
+        ("rice", "Steamed rice", ("rice:uncooked", "water:liquid", "salt:granulated")),
+        ("vegetables", "Roasted broccoli", ("broccoli:floret", "olive oil:liquid")),
+        ("pudding", "Bread and butter pudding", ("bread:sliced", "butter:unmelted", "eggs:uncooked", "milk:liquid")),
+    ],
+)
+def test_what_is_boiled_baked_or_fried_is_not_steamed(steps, dish_type, title, foods):
+    assert "steam" not in motions(steps(dish_type, title, *foods))
+
+
+def test_rice_that_is_steamed_soaks_before(steps):
+    told = steps(
+        "rice", "Mango sticky rice", "glutinous rice:uncooked", "coconut milk:liquid", "sugar:granulated",
+        "mango:sliced", "salt:granulated",
+    )  # fmt: skip
+    assert first(told, "glutinous rice", "soak") < first(told, "glutinous rice", "steam")
+
+
+def test_what_is_poured_hot_on_a_steamed_cake_is_made_when_that_is_done(steps):
+    told = steps(
+        "cake", "Khaman dhokla", "besan:powder", "semolina:powder", "water:liquid", "oil:liquid:tempering",
+        "mustard seeds:whole:tempering", "curry leaves:sprig:tempering",
+    )  # fmt: skip
+    assert motions(told).index("steam") < first(told, "mustard seeds", "cook")
+
+
+def test_a_mould_is_greased_before_the_batter_comes(steps):
+    told = steps("cake", "Ma lai go", "eggs:uncooked", "brown sugar:granulated", "flour:powder", "vegetable oil:liquid")
+    into = [place for place, (inputs, _, _) in enumerate(told) if "cake pan" in inputs]
+    assert "vegetable oil" in told[into[0]][0]
+    assert motions(told)[into[1]] in {"pour", "scrape"}
