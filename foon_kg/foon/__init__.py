@@ -289,9 +289,12 @@ class Foon(Evaluating):
         >>> foon.suggestions(foon.kitchen(foods=["egg", "butter", "salt"]).kitchen, most=1).considered
         23
         """
+        from foon_kg.planning.suggested import as_planned
         from foon_kg.planning.suggestion import suggest
 
-        return self.of_one_state(lambda view: suggest(view, kitchen, most=most, time_limit=time_limit))
+        return self.of_one_state(
+            lambda view: as_planned(suggest(view, kitchen, most=most, time_limit=time_limit), view, kitchen)
+        )
 
     @staticmethod
     def examine(*, thorough: bool = False) -> Iterator[Finding]:

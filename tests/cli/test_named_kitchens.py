@@ -224,6 +224,20 @@ def test_what_is_suggested_as_complete_can_be_planned_from_the_same_kitchen(kitc
     assert answer.exit_code == 0, answer.stderr
 
 
+@pytest.mark.slow
+def test_a_suggestion_lacks_the_utensils_that_the_plan_of_that_dish_lacks(kitchen):
+    file = kitchen("frying pan\nfork\nstove\negg\nbutter\nsalt\nmilk\ncheddar\n")
+    found = json.loads(foon("suggest", "--kitchen", file, "--json").stdout)["suggestions"]
+    shares = [one["share"] for one in found]
+    assert shares == sorted(shares, reverse=True)
+    one = next(one for one in found if one["goal"]["label"] == "cheese omelette")
+    asked = [taken["own"] for taken in one["taken"]]
+    plan = foon("plan", "--dish", "omelette", *asked, "--after", one["videos"][0], "--kitchen", file, "--json")
+    lacking = {entry["node"]["label"] for entry in json.loads(plan.stdout)["error"]["missing"]}
+    assert lacking == set(one["missing"])
+    assert len(lacking) > 1
+
+
 @pytest.mark.parametrize(
     ("foods", "code", "message"),
     [((), 2, "no food is at hand"), (("dragon fruit jam xyz",), 3, "no dish of this FOON takes any of")],
