@@ -159,3 +159,28 @@ def test_milk_beside_a_sauce_soaks_the_crumbs_of_meatballs(steps):
 def test_what_the_name_of_a_dish_promises_is_done(steps, dish, asked, motion, inside):
     made = [outputs for _, done, outputs in steps(*dish, *asked) if done == motion]
     assert any(inside in node.ingredients for outputs in made for node in outputs)
+
+
+@pytest.mark.parametrize(
+    ("food", "state", "package"),
+    [
+        ("canela", "ground", "packet"), ("sunflower", "whole nuts", "packet"),
+        ("ginger", "thick sauce", "container"),
+    ],
+)  # fmt: skip
+def test_what_nobody_makes_so_comes_in_something(public_plans, food, state, package):
+    result = public_plans("sauce", "Mole", f"{food}:{state}", "tomato:chopped", "chicken stock:liquid")
+    first_seen = next(node for unit in result.units for node in unit.input_nodes if node.label == food)
+    assert first_seen.container == package
+
+
+@pytest.mark.parametrize(("food", "state"), [("soybean", "thick sauce"), ("crab", "meat"), ("tomato", "paste")])
+def test_paste_and_shelled_meat_are_not_peeled(steps, food, state):
+    told = steps("soup", "Soup", f"{food}:{state}", "onion:chopped", "broth:liquid")
+    assert not [motion for inputs, motion, _ in told if food in inputs and motion in {"peel", "shell", "crack"}]
+
+
+def test_what_is_loose_in_cream_is_stirred_and_never_turned_over(steps):
+    dish = ("potato:peeled", "butter:unmelted", "onion:chopped", "oil:liquid", "salt:granulated")
+    assert "flip" in motions(steps("potatoes", "Hash Browns", *dish))
+    assert "flip" not in motions(steps("potatoes", "Creamed Potatoes", *dish, "heavy cream:creamy", "tomato:chopped"))

@@ -84,6 +84,16 @@ def _has_liquid_left(foods: Sequence[Food]) -> bool:
     return any(food.is_a("liquid", "creamy") and not (fried and food.is_a("fat")) for food in foods)
 
 
+def is_loose_in_liquid(stuff: Stuff, known: Tables) -> bool:
+    """Return whether ``stuff`` is a mixture in a liquid that does not set, by the tables ``known``.
+
+    Fat alone is no such liquid, egg or flour sets it.
+    """
+    foods = [known.foods.food(food) for food in stuff.foods]
+    runs = any(food.is_a("liquid", "creamy") and not food.is_a("fat") for food in foods)
+    return stuff.mixed and runs and not says(stuff.states, "keeps its shape") and not _has_set(stuff, foods, known)
+
+
 def is_liquid_or_soft(stuff: Stuff, known: Tables) -> bool:
     """Return whether ``stuff`` runs or is scooped, by the tables ``known``."""
     alone = stuff.foods[0] if len(stuff.foods) == 1 and stuff.label in word_list("called a mixture") else stuff.label

@@ -16,6 +16,7 @@ from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat, is_heate
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.course import MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.spots import Join, only_carries
+from foon_kg.integration.making.consistency import is_loose_in_liquid
 from foon_kg.integration.making.turns import Turn
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import BATH, HEATS, THINNED, Line, Phase, Slot, Stage, Steamed
@@ -230,7 +231,7 @@ class Stages:
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
         if heats and self._gets_hot_later(foods, later):
             return True
-        if _rises_by_nothing(stage, foods) or (not heats and self._is_done_on_a_plate(stage, vessel)):
+        if _rises_by_nothing(stage, foods) or (not heats and self._is_not_to_be_held(stage, vessel)):
             return True
         if not stage.does.isdisjoint(MIXES):
             return self._is_mixed_needlessly(stage, vessel, heats=heats)
@@ -246,8 +247,10 @@ class Stages:
             return False  # this makes them hot, or nothing does
         return all(self._is_only_made_hot(food) for food in foods) and not self._is_awaited(later[0])
 
-    def _is_done_on_a_plate(self, stage: Stage, vessel: Vessel) -> bool:
-        """Whether nobody turns food over where it lies, or cuts what is in pieces."""
+    def _is_not_to_be_held(self, stage: Stage, vessel: Vessel) -> bool:
+        """Whether nobody turns food over where it lies, or in its liquid, or cuts what is in pieces."""
+        if "turn" in stage.does and any(is_loose_in_liquid(stuff, self.known) for stuff in vessel.contents):
+            return True
         turned = "turn" in stage.does and not stage.appliance and is_flat(vessel.label)
         return turned or ("cut" in stage.does and self._is_in_pieces(vessel))
 

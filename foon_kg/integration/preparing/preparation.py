@@ -7,12 +7,12 @@ understood is in :mod:`~foon_kg.integration.preparing.understanding`, how it is 
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from foon_kg.food import Food, Level, Tables, singular
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Stuff
 from foon_kg.integration.teaching.operators import Way
@@ -136,6 +136,13 @@ def as_there(want: Want, kitchen: AtHand) -> Want:
     if storage is None:
         return want
     return replace(want, leaf=(want.make,), storage=storage, make="", cooked=False, squeezed=False, at_hand=True)
+
+
+def package_of(states: Iterable[str]) -> str:
+    """Return in what a food comes from a shop that is not sold so, by its ``states``; ``""`` where it lies free."""
+    # each of these names a list of states
+    packages = ("bag", "bottle", "container", "packet")
+    return next((package for package in packages if says(states, f"comes in a {package}")), "")
 
 
 def is_mill(way: Way, known: Tables) -> bool:

@@ -22,6 +22,7 @@ from foon_kg.integration.preparing.preparation import (
     RINSED,
     Ready,
     Want,
+    package_of,
 )
 from foon_kg.integration.teaching.operators import Attested, Way
 from foon_kg.world.treatment import ADVISED
@@ -267,6 +268,10 @@ class Treater(Cutter):
         was = self.known.state(state).before
         kept = (s for s in stuff.states if not self.known.state(s).undivided and s not in was)
         stuff.states = tuple(sorted({*kept, state}))
+        package = package_of((state,)) if stuff.at is None else ""
+        if package:  # nobody buys a powder loose
+            stuff.at = self.bench.vessel(package, storage=True)
+            stuff.at.contents.append(stuff)
         why = f"no step of this FOON makes {ready.want.label} {state}, nor a like food or one of its kind"
         ready.assumptions.append(why)
 

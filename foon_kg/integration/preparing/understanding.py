@@ -23,6 +23,7 @@ from foon_kg.integration.preparing.preparation import (
     Want,
     is_mill,
     owed,
+    package_of,
     wants_a_mill,
 )
 from foon_kg.integration.teaching.forms import form_of
@@ -104,12 +105,7 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
 
 def _in_a_package(want: Want) -> Want:
     """Return a food that is sold free, but not in the state in which the kitchen has it: nobody keeps crumbs so."""
-    if want.storage:
-        return want
-    for storage in ("bag", "bottle", "container", "packet"):  # each names a list of states
-        if says(want.leaf, f"comes in a {storage}"):
-            return replace(want, storage=storage)
-    return want
+    return want if want.storage else replace(want, storage=package_of(want.leaf))
 
 
 def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:

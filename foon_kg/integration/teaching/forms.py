@@ -34,7 +34,7 @@ def form_of(known: Tables, label: str, states: tuple[str, ...]) -> str:
     facts = known.foods.food(label, states)
     if _runs(facts, states):
         return "liquid"
-    if facts.is_a("creamy") or facts.sold_as in _SOLD_SOFT:
+    if facts.is_a("creamy") or not _SOLD_SOFT.isdisjoint((facts.sold_as, *states)):
         return "soft"
     if facts.is_a("spice", "leaven", "flour", "sweet", "stock") and facts.sold_as in _SOLD_FINE:
         return "powder"
