@@ -233,3 +233,40 @@ def test_eggs_of_a_topping_lie_on_the_pizza(steps, egg):
                  "tomato sauce:sauce:topping", "mozzarella:grated:topping", egg)  # fmt: skip
     assert egg.split(":")[0] not in inside(told, "knead")
     assert egg.split(":")[0] in inside(told, "bake")
+
+
+@pytest.mark.parametrize(("dish_type", "title", "asked"), [
+    ("sauce", "Hollandaise Sauce", ["egg yolks:raw", "butter:melted", "lemon juice:juice", "salt:granulated"]),
+    ("pudding", "Zabaglione", ["egg yolks:raw", "caster sugar:granulated", "marsala:liquid"]),
+    ("drinks", "Advocaat", ["egg yolks:raw", "sugar:granulated", "brandy:liquid"]),
+    ("pudding", "Dark Chocolate Mousse", ["dark chocolate:broken", "eggs:separated", "sugar:granulated"]),
+])  # fmt: skip
+def test_yolks_are_warmed_over_water_and_on_no_bare_flame(steps, dish_type, title, asked):
+    told = steps(dish_type, title, *asked)
+    vessels = {label for inputs, motion, _ in told if motion == "cook and stir" for label in inputs}
+    assert "double boiler" in vessels
+
+
+def test_smoked_bacon_is_still_fried(steps):
+    told = steps("sandwich", "BLT Sandwich", "streaky bacon:smoked", "white bread:loaf", "mayonnaise:creamy",
+                 "tomato:sliced", "lettuce:whole")  # fmt: skip
+    assert first(told, "streaky bacon", "cook") < first(told, "mayonnaise", "spread")
+
+
+def test_chips_that_are_served_are_baked_and_leaves_beside_them_are_not(steps):
+    told = steps("steak", "Rump Steak with Garlic Butter", "rump steaks:raw", "olive oil:liquid", "butter:softened",
+                 "garlic:crushed", "oven chips:frozen:serving", "watercress:leaves:serving")  # fmt: skip
+    assert any("oven chips" in inputs and motion == "bake" for inputs, motion, _ in told)
+    assert not any("watercress" in inputs and motion == "bake" for inputs, motion, _ in told)
+
+
+def test_a_roll_is_closed_over_what_was_fried_for_it(steps):
+    told = steps("burger", "Halloumi and Portobello Burgers", "portobello mushrooms:whole", "olive oil:liquid",
+                 "halloumi:sliced", "ciabatta rolls:halved", "houmous:whole", "rocket:leaves")  # fmt: skip
+    assert motions(told)[-1] == "fold"
+
+
+def test_meat_dried_under_salt_lies_in_water_first(steps):
+    told = steps("pork", "Feijoada", "black beans:soaked", "carne seca:cubed", "pork ribs:raw", "linguiça:sliced",
+                 "onion:chopped", "garlic:minced", "bay leaves:sprig")  # fmt: skip
+    assert first(told, "carne seca", "soak") < first(told, "carne seca", "dice")
