@@ -59,8 +59,8 @@ COMMANDS = (
     Command(("stats",), 37, 260, HEAVY | {"numpy"}),
     Command(("load", "foon", str(DEMO)), 63, 260, HEAVY | {"numpy"}, again=True),
     Command(("similar", "caper"), 64, 355, HEAVY),
-    Command(("plan", "--dish", "salad", "chopped onion"), 262, 355, HEAVY),
-    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 263, 241, HEAVY | {"neo4j", "psutil"}),
+    Command(("plan", "--dish", "salad", "chopped onion"), 264, 355, HEAVY),
+    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 265, 241, HEAVY | {"neo4j", "psutil"}),
 )
 
 

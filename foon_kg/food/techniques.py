@@ -27,7 +27,6 @@ _STEP = re.compile(
 )
 _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
 
-
 TABLES = (
     "steamed", "regional", "lands", "vegetables", "eggs", "handheld", "morsels", "cold", "pies", "sauces", "drinks",
     "flesh", "savoury", "techniques", "methods", "grains",
@@ -250,7 +249,7 @@ def _technique_rows() -> tuple[tuple[str, Mapping[str, Any]], ...]:
 
 @cache
 def _technique_at(place: int) -> Technique:
-    return _technique(*_technique_rows()[place])
+    return technique_of(*_technique_rows()[place])
 
 
 @cache
@@ -274,7 +273,7 @@ def _by_first_words() -> tuple[Mapping[str, list[int]], Mapping[str, list[int]],
 @cache
 def ways(when: str = "ways") -> tuple[Technique, ...]:
     """Return what words of a name change of what a video does, in the order of the table ``when`` of ``ways.toml``."""
-    return tuple(_technique(name, row) for name, row in shipped("ways")[when].items())
+    return tuple(technique_of(name, row) for name, row in shipped("ways")[when].items())
 
 
 @cache
@@ -338,7 +337,7 @@ def components() -> tuple[Component, ...]:
     """Return every component in the order of its table: a food belongs to the first that takes it."""
     return tuple(
         Component(
-            _technique(name, {"lines": {}, **row}),
+            technique_of(name, {"lines": {}, **row}),
             frozenset(row.get("parts", ())),
             tuple(map(Foods.read, row.get("body", ()))),
             tuple(map(Foods.read, row.get("neighbours", ()))),
@@ -362,7 +361,8 @@ def _work(row: Mapping[str, Any]) -> Work:
     return Work(**{**row, **lists, "states": tuple(row.get("states", ()))})
 
 
-def _technique(name: str, row: Mapping[str, Any]) -> Technique:
+def technique_of(name: str, row: Mapping[str, Any]) -> Technique:
+    """Return the technique that a ``row`` of a table, called ``name``, says."""
     return Technique(
         name,
         _all_names(row, "called"),

@@ -1,4 +1,4 @@
-"""What a title asks to be done and no step of the finished tree does: it is said with the tree."""
+"""What is said with a finished tree: what its title asks and no step does, and for what its foods were taken."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from dataclasses import replace
 from foon_kg.food import Tables
 from foon_kg.food.named import Named
 from foon_kg.food.techniques import Foods
+from foon_kg.integration.composing.listed import Inferred
 from foon_kg.integration.final_tree import FinalTree
 from foon_kg.integration.preparing.preparation import Want
+from foon_kg.model import Recipe
 from foon_kg.model.claims import Assumption
 from foon_kg.model.tree import TreeUnit
 
@@ -30,6 +32,23 @@ def with_unheeded(
             why = f"the title says “{word}”, and no step of this FOON does it to such a dish"
             unheeded.append(Assumption(leaf, why))
     return replace(tree, assumptions=(*tree.assumptions, *unheeded)) if unheeded else tree
+
+
+def with_parts_told(tree: FinalTree, inferred: Iterable[Inferred], recipe: Recipe) -> FinalTree:
+    """Return a ``tree`` that says of the parts that were ``inferred`` what they were taken for: it is an assumption.
+
+    ``recipe`` lists their foods. There has to be a node to say it of: the first of those foods that the kitchen has.
+    """
+    names = [food.object for food in recipe.ingredients if food.object]
+    told = []
+    for one in inferred:
+        foods = [names[place] for place in one.places]
+        leaf = next((node for name in foods for node in tree.kitchen if node.label == name), None)
+        if leaf is not None:
+            told.append(
+                Assumption(leaf, f"taken to be for the {one.part}, as they are listed side by side: {', '.join(foods)}")
+            )
+    return replace(tree, assumptions=(*tree.assumptions, *told)) if told else tree
 
 
 def _first_meant(one: Named, wants: Sequence[Want]) -> Iterator[str]:

@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import NamedTuple
 
 from foon_kg.food import Tables, singular, tables
@@ -25,6 +25,7 @@ from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.composing.apart import apart
 from foon_kg.integration.composing.called import Called, arranged
 from foon_kg.integration.composing.drunk import can_be_blended, can_be_warmed
+from foon_kg.integration.composing.listed import as_listed
 from foon_kg.integration.composing.parts import Part, parts_of
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.joining.course import Plan
@@ -35,7 +36,7 @@ from foon_kg.integration.methods import Methods, TeachingView
 from foon_kg.integration.preparing.entitled import as_in_a_dish
 from foon_kg.integration.preparing.preparation import Want, as_there
 from foon_kg.integration.preparing.understanding import wants_of
-from foon_kg.integration.unheeded import with_unheeded
+from foon_kg.integration.unheeded import with_parts_told, with_unheeded
 from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.knowledge import FAIR
@@ -193,7 +194,8 @@ class PlannedRecipe:
         title, asked = recipe.title or "", [one for one in self.recipe.ingredients if one.object]
         self.teaching = planner.teaching_for(_names_of(asked, self.known), recipe.dish_type)
         self.methods = self.teaching.methods
-        wants = wants_of(asked, self.known, self.methods.operators, title)
+        understand = partial(wants_of, known=self.known, operators=self.methods.operators, title=title)
+        self.recipe, wants, self.inferred = as_listed(self.recipe, understand)
         wants = as_in_a_dish(wants, self.methods.operators, title, self.recipe.dish_type or "")
         if not wants:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
@@ -296,7 +298,7 @@ class PlannedRecipe:
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
-        tree = with_unheeded(tree, self.asks, self.wants, self.known)
+        tree = with_unheeded(with_parts_told(tree, self.inferred, self.recipe), self.asks, self.wants, self.known)
         result = self._result(fit, tree, dish_type)
         self._refuse_avoided(result)
         report = check(result.tree, free=self.kitchen.free_foods, named_so=self.kitchen.names_so)

@@ -19,6 +19,7 @@ NAMES = (
     "foods",
     "grains",
     "handheld",
+    "listed",
     "lists",
     "methods",
     "morsels",

@@ -93,7 +93,7 @@ class _Finder:
             return False
         if not _is_of_its_foods(component, found, around):
             return False
-        return _have(technique.needs, found, around) and _have(component.beside, rest, around)
+        return have(technique.needs, found, around) and have(component.beside, rest, around)
 
     def _is_sought(self, component: Component) -> bool:
         """Whether a component is looked for though the recipe says of no food that it is for it."""
@@ -129,7 +129,7 @@ class _Finder:
         made of; that something is listed twice tells least, and counts only where the dish is called so.
         """
         said = self._said(component, around)
-        if len(said) > 1 and _have(component.technique.needs, self._at(said), around):
+        if len(said) > 1 and have(component.technique.needs, self._at(said), around):
             return said  # a heading stands above it
         found = said or self._guessed(component, around)
         if found:
@@ -144,7 +144,7 @@ class _Finder:
         if not component.body:
             return self._taken(found, component, around)
         mixed = self._begun(found, component, around)
-        if mixed and component.technique.lines and _have(component.technique.needs, self._at(mixed), around):
+        if mixed and component.technique.lines and have(component.technique.needs, self._at(mixed), around):
             return self._taken(mixed, component, around)
         foods = component.body + component.neighbours
         return {place for place in found if are(foods, self.listed[place], around)}
@@ -188,7 +188,7 @@ class _Finder:
         """Return the places around a food that a recipe lists a second time, once all else of its dish is named."""
         for place in self._once_more(component, around):
             found = self._with_neighbours({place}, component, around)
-            if _have(component.technique.needs, [self.listed[one] for one in found], around):
+            if have(component.technique.needs, [self.listed[one] for one in found], around):
                 return found
         return set()
 
@@ -223,7 +223,7 @@ class _Finder:
         place = min(found) - 1
         while self._belongs(place, component, around) and (
             are(component.body, self.listed[place], around)
-            or not _have(needs, [self.listed[one] for one in found], around)
+            or not have(needs, [self.listed[one] for one in found], around)
         ):
             found.add(place)
             place -= 1
@@ -252,6 +252,6 @@ def _is_of_its_foods(component: Component, found: Sequence[Want], around: Around
     return begins or any(are(component.body, want, around) for want in found)
 
 
-def _have(needs: Sequence[Sequence[Foods]], wants: Sequence[Want], around: Around) -> bool:
-    """Whether of each list one food is there."""
+def have(needs: Sequence[Sequence[Foods]], wants: Sequence[Want], around: Around) -> bool:
+    """Return whether of each list of ``needs`` one food is among ``wants``; ``around`` are all foods with the title."""
     return all(any(are(need, want, around) for want in wants) for need in needs)
