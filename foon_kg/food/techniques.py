@@ -113,7 +113,7 @@ def _holds(term: str, label: str, facts: Food, around: Around) -> bool:
     if mark == "!":
         return not _holds(rest, label, facts, around)
     if mark == "%":
-        return any(one is not facts and _holds(rest, "", one, around) for one in around.foods)
+        return any(one is not facts and _holds(rest, one.name, one, around) for one in around.foods)
     if mark == "#":
         return rest in words(label)
     if term == "^":

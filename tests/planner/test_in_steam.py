@@ -102,3 +102,59 @@ def test_a_mould_is_greased_before_the_batter_comes(steps):
     into = [place for place, (inputs, _, _) in enumerate(told) if "cake pan" in inputs]
     assert "vegetable oil" in told[into[0]][0]
     assert motions(told)[into[1]] in {"pour", "scrape"}
+
+
+def test_what_is_asked_steamed_is_steamed_by_itself(steps):
+    told = steps(
+        "salad", "Broccoli salad", "broccoli:steamed", "mayonnaise:creamy", "raisins:whole", "red onion:diced",
+        "vinegar:liquid",
+    )  # fmt: skip
+    assert first(told, "broccoli", "steam") < first(told, "broccoli", "mix")
+    assert "raisins" not in told[first(told, "broccoli", "steam")][0]
+
+
+def test_rice_that_is_asked_steamed_is_boiled(steps):
+    told = steps("chicken", "Teriyaki chicken", "chicken:sliced", "soy sauce:liquid", "honey:liquid", "rice:steamed")
+    assert "steam" not in motions(told)
+
+
+def test_what_seasons_a_steamed_roll_is_rolled_up_in_it(steps):
+    told = steps("bread", "Hua juan", *DOUGH, "scallions:chopped", "oil:liquid", "salt:granulated")
+    (place,) = [n for n, (inputs, motion, _) in enumerate(told) if motion == "roll" and "scallions" in inputs]
+    assert place < motions(told).index("steam")
+
+
+def test_a_dough_of_starch_is_no_part_of_its_filling(steps):
+    told = steps(
+        "bread", "Har gow", "wheat starch:powder", "tapioca starch:powder", "water:boiling", "shrimp:chopped",
+        "sesame oil:liquid", "salt:granulated",
+    )  # fmt: skip
+    assert "wheat starch" in told[motions(told).index("knead")][0]
+    assert "wheat starch" not in told[motions(told).index("stir")][0]
+
+
+def test_a_batter_with_yeast_rests_and_is_not_kneaded(steps):
+    told = motions(
+        steps("cake", "Fa gao", "rice flour:powder", "brown sugar:granulated", "water:liquid", "yeast:powder")
+    )
+    assert told.index("mix") < told.index("ferment") < told.index("steam")
+    assert "knead" not in told
+
+
+def test_a_cake_of_batter_that_is_fried_is_steamed_before(steps):
+    told = motions(
+        steps(
+            "cake", "Turnip cake", "daikon radish:grated", "rice flour:powder", "water:liquid", "salt:granulated",
+            "chinese sausages:diced", "oil:liquid:frying",
+        )
+    )  # fmt: skip
+    assert told.index("steam") < told.index("slice", told.index("steam")) < told.index("flip")
+
+
+@pytest.mark.parametrize(("dish_type", "title", "foods"), [
+    ("pork", "Pearl balls", ("ground pork:raw", "glutinous rice:soaked", "egg:uncooked", "soy sauce:liquid")),
+    ("seafood", "Steamed crab legs", ("crab legs:raw", "butter:melted", "lemon:cut")),
+    ("bread", "Sweet corn tamales", ("masa harina:powder", "butter:unmelted", "salt:granulated", "corn husks:soaked")),
+])  # fmt: skip
+def test_more_that_is_steamed(steps, dish_type, title, foods):
+    assert "steam" in motions(steps(dish_type, title, *foods))

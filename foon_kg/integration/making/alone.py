@@ -14,6 +14,7 @@ from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.cooling import Cooling
 from foon_kg.integration.making.outcome import says_raw
 from foon_kg.integration.making.precooking import Precooking
+from foon_kg.integration.making.water import BASKET, POT, STEAM, Steam
 from foon_kg.integration.preparing.preparation import Ready, Want, owed
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import HEATS, Stage
@@ -123,6 +124,11 @@ class Alone:
         if self.precooking.is_fried_open(join.want):
             self._pan_cook(ready, method)
             return
+        if self._is_steamed(ready):
+            self._steam(ready)
+            self.cooling.alone(join, ready)
+            self.preparer.cut_now(ready)
+            return
         dry = any("dry" in self.known.motion(motion).does for motion in method)
         baked = dry and self._bake_alone(ready, method)
         if baked or not self._is_rinsed_on_the_stove(join, ready, method):
@@ -145,6 +151,19 @@ class Alone:
         if rinsed:
             self.preparer.rinse(ready, "washed")
         return rinsed
+
+    def _is_steamed(self, ready: Ready) -> bool:
+        """Whether a food is asked steamed; what swells in water is boiled, however it is called, and so are shells."""
+        swells = ready.want.facts.is_any(word_list("is boiled by itself")) or "boil" in owed(ready.want, self.known)
+        return ready.want.make in word_list("is so by steam") and not swells and not ready.whole_shell
+
+    def _steam(self, ready: Ready) -> None:
+        """Steam a food by itself in a basket over boiling water."""
+        basket, steam = self.bench.vessel(BASKET), Steam(self.carry.water)
+        self.carry.bring(ready, basket, None)
+        pot = steam.over_water(basket, POT)
+        steam.each(basket, steam.evidence(STEAM, ready.want.names), STEAM, (ready.want.make,))
+        steam.out_of_it(basket, pot)
 
     def _is_boiled(self, ready: Ready, method: Sequence[str]) -> bool:
         """Whether a food is cooked in water: by its method, as it is asked, or because it is still in its shell."""

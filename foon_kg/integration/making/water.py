@@ -1,4 +1,8 @@
-"""Water: poured into a vessel from the tap, brought to the boil, and poured away when what boiled in it is done."""
+"""Water: poured into a vessel from the tap, brought to the boil, and poured away when what boiled in it is done.
+
+What is steamed stands above it. Where no video of the FOON does that, what is boiled is the evidence; it is declared as
+a substitution.
+"""
 
 from __future__ import annotations
 
@@ -7,10 +11,21 @@ from collections.abc import Sequence
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel
+from foon_kg.integration.making.outcome import says_raw
 from foon_kg.integration.preparing.preparation import Ready
+from foon_kg.integration.teaching.operators import Attested
 
 TAP, JUG = "faucet", "measuring cup"
 """Where water comes from, and in what it comes to what stands on a stove."""
+
+POT, LID, BASKET, STEAM = "pot", "pot lid", "steamer basket", "steam"
+"""In what water boils, what covers that, what stands in it, and what is done there."""
+
+_LIKE_STEAM = ("boil", "simmer", "cook")
+"""What tells that a food is steamed, where no video does that: it is cooked by boiling water as well."""
+
+_SURE = 0.8
+"""How sure it is that what is boiled can be steamed."""
 
 
 class Water:
@@ -102,3 +117,55 @@ class Water:
             return False
         facts = self.known.foods.food(stuff.label)
         return facts.is_any(word_list("goes into the water")) and not facts.is_a("water")
+
+
+class Steam:
+    """Handles the steam of ``water`` on its bench."""
+
+    def __init__(self, water: Water) -> None:
+        self.water = water
+        self.bench = water.bench
+
+    def over_water(self, holder: Vessel, over: str) -> Vessel:
+        """Stand ``holder`` over boiling water in what is called ``over``, under a lid; return that pot."""
+        pot = self.bench.vessel(over)
+        self.water.add(pot)
+        self.bench.place(pot, "stove", "on")
+        self.water.boil(pot)
+        self.bench.stand_over(holder, pot)
+        self.bench.cover(pot, LID)
+        return pot
+
+    def out_of_it(self, holder: Vessel, pot: Vessel) -> None:
+        """Turn off the heat and lift ``holder`` out of its ``pot``."""
+        self.bench.heat_off(pot)
+        self.bench.uncover(pot)
+        self.bench.lift_off(holder)
+        self.bench.uncover(holder)
+
+    def evidence(self, motion: str, foods: Sequence[str]) -> Attested:
+        """Return what attests that ``foods`` are steamed (``motion``), be it that they, or the like, are boiled.
+
+        Raises :class:`RefusedError` where this FOON has neither.
+        """
+        own = self.bench.near_or_far(self.bench.operators.ways_of(motion), foods)
+        return own or self.bench.require([(name, ()) for name in _LIKE_STEAM], foods)
+
+    def told(self, motion: str, attested: Attested, food: str) -> None:
+        """Declare that ``food`` is steamed (``motion``) where another motion is ``attested``."""
+        if attested.way[0] != motion:
+            self.bench.other_motions[food, motion] = (attested.way[0], _SURE)
+
+    def each(self, holder: Vessel, attested: Attested, motion: str, states: Sequence[str]) -> None:
+        """Steam (``motion``), as is ``attested``, all in ``holder``: each stays what it is, in ``states`` then."""
+        stuffs = list(holder.contents)
+        self.told(motion, attested, stuffs[0].label)
+
+        def change() -> None:
+            for stuff in stuffs:
+                kept = (state for state in stuff.states if not says_raw(state, self.bench.known))
+                stuff.states = tuple(sorted({*kept, *states}))
+            holder.hot = True
+
+        inputs = [holder, *self.bench.under(holder), *stuffs]
+        self.bench.emit(attested, inputs, change, [holder, *stuffs, *self.bench.water_under(holder)], motion=motion)
