@@ -165,11 +165,24 @@ def test_two_things_that_look_alike_are_two_nodes_where_the_plan_numbers_them():
     ]
     goal = node("soup")
 
-    def bowls(units):
+    def drawn(units):
         result = PlanResult(Recipe("soup", ()), ReferenceSummary(goal, 1, 0, exact=True), goal, tuple(units), ())
-        return sum(one == node("bowl") for one in BipartiteGraph.of_tree(ExportedTree.of_plan(result)).objects.values())
+        return BipartiteGraph.of_tree(ExportedTree.of_plan(result))
+
+    def bowls(units):
+        return sum(one == node("bowl") for one in drawn(units).objects.values())
 
     assert (bowls(planned), bowls(numbered)) == (1, 2)
+    told = nx.parse_graphml(write_graphml(drawn(numbered)))
+    assert {one["thing"] for _, one in told.nodes(data=True) if one.get("text") == "bowl"} == {1, 3}
+    for text in (
+        write_dot(drawn(numbered)),
+        html.unescape(re.sub(r"#(\d+);", r"&#\1;", write_mermaid(drawn(numbered)))),
+    ):
+        assert all(f'"bowl #{number}"' in text for number in (1, 3))
+    assert "thing" not in {
+        key for _, one in nx.parse_graphml(write_graphml(drawn(planned))).nodes(data=True) for key in one
+    }
 
 
 @pytest.mark.parametrize(

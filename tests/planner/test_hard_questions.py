@@ -114,6 +114,16 @@ def test_water_that_is_asked_is_not_taken_again_for_washing():
     assert len(set(waters)) == 1
 
 
+def test_water_for_washing_comes_from_the_one_tap_of_the_kitchen_which_is_a_thing_of_the_step():
+    washing = Snapshot.of([subgraph("washed", "salad", *WASHED)], KITCHEN)
+    units = plan(washing, recipe("salad", "lettuce washed", "spinach washed", "salt granulated"), SETTINGS).units
+    taken = [one for unit in units for one in unit.taken]
+    waters = [one for one in taken if one.node.label == "water"]
+    assert len(waters) == 2
+    assert {one.container_thing for one in waters} == {one.thing for one in taken if one.node.label == "faucet"}
+    assert len({one.container_thing for one in waters}) == 1
+
+
 def test_an_ingredient_that_is_called_like_the_dish_is_an_ingredient():
     result = planned("drinks", "orange juice liquid", "orange whole")
     assert "orange juice" in result.goal.ingredients

@@ -168,3 +168,17 @@ def test_json_names_what_is_missing(retrieve):
     (missing,) = json.loads(answer.stdout)["error"]["missing"]
     assert (missing["node"]["label"], missing["node"]["states"]) == ("unicorn", ["tamed"])
     assert missing["remedy"] == "have unicorn ready: tamed"
+
+
+def test_an_appliance_that_videos_tell_in_two_ways_has_to_be_there_once(retrieve, folder):
+    lines = (
+        "stove(ready)@under pan > turn on > stove(on)@under pan",
+        "stove(off)@under pan; pan(empty)@on stove > preheat > pan(hot)@on stove",
+        "stove(on)@under pan; pan(hot)@on stove; egg(whole) > cook > omelette(cooked){egg}",
+    )
+    story = Subgraph("eggs", tuple(Annotation(unit(line)) for line in lines))
+    (folder / "subgraphs" / "eggs.txt").write_text(write_text(story), encoding="utf-8")
+    shown = " ".join(retrieve("omelette").stdout.partition("Kitchen")[2].split())
+    assert "stove (off or ready, under pan)" in shown
+    assert shown.count("stove (") == 1
+    assert len(json.loads(retrieve("omelette", "--json").stdout)["kitchen"]) == 4

@@ -21,15 +21,15 @@ _FOOD, _UTENSIL, _GOAL, _MOTION = "#8bc99b", "#d5ecdb", "#f2c14e", "#e06666"
 def write_dot(graph: BipartiteGraph) -> str:
     """Return ``graph`` as DOT: from the kitchen below to the goal above; thick lines where something moves."""
     lines = [f"digraph {_quoted(graph.name)} {{", *_HEAD]
-    lines += (f"  {name} [{_object(node, graph)}];" for name, node in graph.objects.items())
+    lines += (f"  {name} [{_object(name, node, graph)}];" for name, node in graph.objects.items())
     lines += (f"  {name} [{_motion(known)}];" for name, known in graph.units.items())
     lines += (f"  {edge.start} -> {edge.end}{' [penwidth=2]' if edge.moving else ''};" for edge in graph.edges)
     return "\n".join((*lines, "}")) + "\n"
 
 
-def _object(node: ObjectNode, graph: BipartiteGraph) -> str:
+def _object(name: str, node: ObjectNode, graph: BipartiteGraph) -> str:
     colour = _GOAL if node in graph.goals else _FOOD if graph.kitchen.is_food(node) else _UTENSIL
-    attributes = [f"label={_quoted(str(node))}", "shape=ellipse", f'fillcolor="{colour}"']
+    attributes = [f"label={_quoted(graph.text_of(name))}", "shape=ellipse", f'fillcolor="{colour}"']
     if node in graph.at_hand:
         attributes.append("peripheries=2")
     return ", ".join(attributes)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Self
 
 from foon_kg.food.motion_costs import NO_COSTS, MotionCosts
@@ -27,7 +27,8 @@ class Edge:
 class BipartiteGraph:
     """Object nodes (ids ``o1``, …) and motion nodes (``m1``, …), each once and in the order of appearance.
 
-    Where the things of a tree have numbers, two bowls are two object nodes though they look alike. ``edges`` go unit by
+    Where the things of a tree have numbers, two bowls are two object nodes though they look alike: ``things`` has the
+    number of each. ``edges`` go unit by
     unit from the inputs to the motion, and from the motion to the outputs. ``goals`` are the end products, ``at_hand``
     what no unit need make; ``costs`` say how likely motions succeed.
     """
@@ -40,20 +41,29 @@ class BipartiteGraph:
     at_hand: frozenset[ObjectNode]
     kitchen: Kitchen
     costs: MotionCosts = NO_COSTS
+    things: Mapping[str, int] = field(default_factory=dict)
+
+    def text_of(self, name: str) -> str:
+        """Return what the object node called ``name`` shows: its fields, and its number as a plan has it."""
+        number = self.things.get(name)
+        return f"{self.objects[name]}{'' if number is None else f' #{number}'}"
 
     @classmethod
     def of_tree(cls, tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> Self:
         """Return the graph of a task tree; its motion nodes are numbered like its steps, and weighed by ``costs``."""
         goals = frozenset((tree.goal,)) if tree.goal is not None else frozenset[ObjectNode]()
         planned = tree.result.units if tree.result is not None else ()
-        objects, edges = _drawn(tree.units, planned, tree.kitchen)
-        kitchen = Kitchen.default()
-        return cls(tree.title, objects, _numbered(tree.units), edges, goals, frozenset(tree.kitchen), kitchen, costs)
+        names, edges = _drawn(tree.units, planned, tree.kitchen)
+        objects = {name: node for (node, _), name in names.items()}
+        things = {name: thing for (_, thing), name in names.items() if thing is not None}
+        kitchen, at_hand = Kitchen.default(), frozenset(tree.kitchen)
+        return cls(tree.title, objects, _numbered(tree.units), edges, goals, at_hand, kitchen, costs, things)
 
     @classmethod
     def of_foon(cls, foon: Snapshot, costs: MotionCosts = NO_COSTS) -> Self:
         """Return the graph of a whole ``foon``, weighed by ``costs``; its motions are in the order of their keys."""
-        objects, edges = _drawn(foon.units)
+        names, edges = _drawn(foon.units)
+        objects = {name: node for (node, _), name in names.items()}
         goals = frozenset(goal.node for goal in foon.goals())
         at_hand = frozenset(filter(foon.kitchen.has, objects.values()))
         return cls("FOON", objects, _numbered(foon.units), edges, goals, at_hand, foon.kitchen, costs)
@@ -69,8 +79,11 @@ def _numbered(units: Sequence[KnownUnit]) -> dict[str, KnownUnit]:
 
 def _drawn(
     units: Sequence[KnownUnit], of_plan: Sequence[TreeUnit] = (), more: Iterable[ObjectNode] = ()
-) -> tuple[dict[str, ObjectNode], tuple[Edge, ...]]:
-    """Return the object nodes of ``units`` and ``more``, and the edges; ``of_plan`` has the numbers of the things."""
+) -> tuple[dict[tuple[ObjectNode, int | None], str], tuple[Edge, ...]]:
+    """Return the ids of the object nodes of ``units`` and ``more``, by their numbers as things, and the edges.
+
+    ``of_plan`` has these numbers.
+    """
     names: dict[tuple[ObjectNode, int | None], str] = {}
     edges: list[Edge] = []
 
@@ -87,4 +100,4 @@ def _drawn(
     for node in more:
         if node not in there:
             name(Mention(node))
-    return {named: node for (node, _), named in names.items()}, tuple(edges)
+    return names, tuple(edges)

@@ -19,7 +19,7 @@ _NAMESPACE = "http://graphml.graphdrawing.org/xmlns"
 _FIELDS = {
     "node": {
         "kind": "string", "text": "string", "label": "string", "states": "string", "ingredients": "string",
-        "relation": "string", "container": "string", "at_hand": "boolean", "goal": "boolean",
+        "relation": "string", "container": "string", "thing": "int", "at_hand": "boolean", "goal": "boolean",
         "motion": "string", "accepts_any": "boolean", "success_rate": "double", "seen_in": "string",
     },
     "edge": {"moving": "boolean"},
@@ -31,6 +31,8 @@ def write_graphml(graph: BipartiteGraph) -> str:
 
     Motion nodes have a success rate where the motion has a weight.
 
+    Object nodes have the numbers of their things (``thing``) where the tree is a plan.
+
     Raises :class:`~foon_kg.model.errors.FormatError` for names with control characters, which no XML can hold.
     """
     root = ET.Element("graphml", {"xmlns": _NAMESPACE})
@@ -40,7 +42,7 @@ def write_graphml(graph: BipartiteGraph) -> str:
     drawn = ET.SubElement(root, "graph", {"id": "foon", "edgedefault": "directed"})
     ET.SubElement(drawn, "desc").text = xml_text(graph.name)
     for name, node in graph.objects.items():
-        _add(drawn, "node", {"id": name}, _object(node, graph))
+        _add(drawn, "node", {"id": name}, _object(name, node, graph))
     for name, known in graph.units.items():
         _add(drawn, "node", {"id": name}, _motion(known, graph.costs))
     for edge in graph.edges:
@@ -48,7 +50,7 @@ def write_graphml(graph: BipartiteGraph) -> str:
     return xml_document(root)
 
 
-def _object(node: ObjectNode, graph: BipartiteGraph) -> dict[str, Value]:
+def _object(name: str, node: ObjectNode, graph: BipartiteGraph) -> dict[str, Value]:
     return {
         "kind": "food" if graph.kitchen.is_food(node) else "utensil",
         "text": node_text(node),
@@ -57,6 +59,7 @@ def _object(node: ObjectNode, graph: BipartiteGraph) -> dict[str, Value]:
         "ingredients": _list(node.ingredients),
         "relation": node.relation,
         "container": node.container,
+        "thing": graph.things.get(name),
         "at_hand": node in graph.at_hand,
         "goal": node in graph.goals,
     }

@@ -30,7 +30,7 @@ def write_mermaid(graph: BipartiteGraph) -> str:
 def _objects(graph: BipartiteGraph) -> Iterator[str]:
     for name, node in graph.objects.items():
         kind = "goal" if node in graph.goals else "food" if graph.kitchen.is_food(node) else "utensil"
-        yield f"  {name}([{_quoted(str(node))}]):::{kind}"
+        yield f"  {name}([{_quoted(graph.text_of(name))}]):::{kind}"
 
 
 def _quoted(text: str) -> str:

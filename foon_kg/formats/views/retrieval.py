@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from foon_kg.food import tables
 from foon_kg.formats.views.words import ASIDE, in_a_row, motion_words, node_words, section, shown_inputs, shown_outputs
+from foon_kg.model import ObjectNode
 from foon_kg.search.classic import Criterion, RetrievalResult, RetrievedUnit
 
 _LEVELS = {1: "objects alone", 2: "objects with their states", 3: "objects with states and ingredients"}
@@ -16,8 +20,24 @@ _LEVELS = {1: "objects alone", 2: "objects with their states", 3: "objects with 
 
 def retrieval_view(tree: RetrievalResult) -> RenderableType:
     """Return what the tree makes, how good it is, its steps and what has to be in the kitchen."""
-    kitchen = in_a_row(map(node_words, tree.kitchen), " · ")
+    kitchen = in_a_row(map(node_words, _once(tree.kitchen)), " · ")
     return Group(_header(tree), section("Steps", _steps(tree)), section("Kitchen", kitchen))
+
+
+def _once(kitchen: Sequence[ObjectNode]) -> Iterator[ObjectNode]:
+    """Yield what has to be there, an appliance once though videos tell its state by several words: off or off (ready).
+
+    A kitchen has one appliance of each kind.
+    """
+    things: dict[ObjectNode, list[str]] = {}
+    for node in kitchen:
+        row = tables().utensil(node.label)
+        if row is None or row.role != "appliance":
+            things[node] = []
+        else:
+            things.setdefault(replace(node, states=()), []).extend(node.states)
+    for node, ways in things.items():
+        yield replace(node, states=(" or ".join(dict.fromkeys(ways)),)) if ways else node
 
 
 def _header(tree: RetrievalResult) -> RenderableType:

@@ -21,6 +21,7 @@ class Inventory:
         self.found_on: Mapping[str, tuple[str, ...]] = {}
         self.devices: dict[str, Device] = {}
         self.tools: dict[str, int] = {}
+        self._taps: dict[str, Vessel] = {}
         self._numbers = 0
 
     # --- things ---
@@ -33,6 +34,12 @@ class Inventory:
     def vessel(self, label: str, *, storage: bool = False) -> Vessel:
         """Return a clean vessel called ``label`` from the cupboard; one for ``storage`` is what food is sold in."""
         return Vessel(label, self.number(), storage=storage)
+
+    def tap(self, label: str) -> Vessel:
+        """Return the tap called ``label``, always the same: a kitchen has one."""
+        if label not in self._taps:
+            self._taps[label] = self.vessel(label, storage=True)
+        return self._taps[label]
 
     def device(self, label: str) -> Device:
         """Return the appliance called ``label``, always the same: a kitchen has one of each kind."""
@@ -55,7 +62,7 @@ class Inventory:
         stuff = Stuff(label, self.number(), states, (label,), frozenset(wants))
         row = self.known.utensil(storage) if storage else None
         if row is not None and (row.keeps_food or stands):
-            vessel = self.vessel(storage, storage=row.keeps_food)
+            vessel = self.tap(storage) if self._is_tap(storage) else self.vessel(storage, storage=row.keeps_food)
             vessel.contents.append(stuff)
             stuff.at = vessel
         return stuff

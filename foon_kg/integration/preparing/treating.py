@@ -215,7 +215,8 @@ class Treater(Cutter):
         def change() -> None:
             stuff.states = states
 
-        bench.emit(attested, [*places, stuff, bench.fetch("water", ("liquid",), (), "faucet")], change, [stuff])
+        water = bench.fetch("water", ("liquid",), (), "faucet")
+        bench.emit(attested, [*places, stuff, bench.tap("faucet"), water], change, [stuff])
         return True
 
     def drain(self, ready: Ready) -> None:
