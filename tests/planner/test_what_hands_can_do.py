@@ -184,3 +184,17 @@ def test_what_is_loose_in_cream_is_stirred_and_never_turned_over(steps):
     dish = ("potato:peeled", "butter:unmelted", "onion:chopped", "oil:liquid", "salt:granulated")
     assert "flip" in motions(steps("potatoes", "Hash Browns", *dish))
     assert "flip" not in motions(steps("potatoes", "Creamed Potatoes", *dish, "heavy cream:creamy", "tomato:chopped"))
+
+
+@pytest.mark.parametrize(
+    ("food", "state", "cooked"),
+    [
+        ("salmon", "smoked", False), ("smoked trout", "", False), ("haddock", "smoked", True),
+        ("smoked cod fillet", "raw", True),
+    ],
+)  # fmt: skip
+def test_smoked_fish_comes_in_a_packet_and_cold_smoked_fish_is_cooked(public_plans, food, state, cooked):
+    result = public_plans("sandwich", "Sandwich", f"{food}:{state}", "bread:sliced", "butter:softened", "dill:chopped")
+    taken = [node for unit in result.units for node in (*unit.input_nodes, *unit.output_nodes) if node.label == food]
+    assert taken[0].container == "packet"
+    assert any("cooked" in node.states for node in taken) is cooked
