@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from planner.told_steps import inside
+from planner.told_steps import first, inside, motions
 
 pytestmark = pytest.mark.shared_data
 
@@ -48,3 +48,46 @@ def test_syrup_that_is_named_after_the_batter_is_cooked(steps):
     )  # fmt: skip
     assert {"sugar", "lemon juice"} <= inside(told, "cook and stir")
     assert "lemon juice" not in inside(told, "bake")
+
+
+STEW = ("oil:liquid", "beef:cubed", "onion:chopped", "carrot:sliced", "beef stock:liquid")
+
+
+@pytest.mark.parametrize("part", [":dumplings", ""])
+def test_dumplings_are_shaped_and_simmer_in_the_stew_once_all_else_was_cooked(steps, part):
+    foods = ("self-raising flour:powder", "suet:shredded", "parsley:chopped", "water:cold")
+    told = steps("beef", "Stew", *STEW, *(f"{food}{part}" for food in foods))
+    assert inside(told, "mix") == {"self-raising flour", "suet", "parsley", "water"}
+    done = motions(told)
+    simmers = [place for place, motion in enumerate(done) if motion == "simmer"]
+    assert done.index("shape") < simmers[0] < first(told, "dumplings", "pick-and-place") < simmers[-1]
+
+
+def test_dumplings_lie_on_a_casserole_when_it_is_baked(steps):
+    told = steps(
+        "casserole", "Beef casserole", *STEW,
+        "flour:powder:dumplings", "suet:shredded:dumplings", "water:cold:dumplings",
+    )  # fmt: skip
+    done = motions(told)
+    assert done.index("shape") < first(told, "dumplings", "pick-and-place") < done.index("bake")
+    assert [motion for foods, motion, _ in told if "suet" in foods] == ["scoop", "mix"]  # the tin is greased with oil
+
+
+def test_dumplings_come_into_a_soup_that_was_blended(steps):
+    told = steps(
+        "soup", "Tomato soup", "oil:liquid", "onion:chopped", "tomato:canned", "stock:liquid",
+        "flour:powder:dumplings", "butter:softened:dumplings", "milk:liquid:dumplings",
+    )  # fmt: skip
+    done = motions(told)
+    assert done.index("blend") < first(told, "dumplings", "pick-and-place") < len(done) - done[::-1].index("simmer")
+
+
+def test_salt_and_oil_of_what_lies_on_a_dough_come_on_it_and_not_into_the_dough(steps):
+    told = steps(
+        "pizza", "Onion pizza", "flour:powder:dough", "yeast:dried:dough", "water:liquid:dough",
+        "salt:granulated:dough", "onion:sliced:topping", "tomato:diced:topping", "paprika:ground:topping",
+        "sea salt:granulated:topping", "olive oil:liquid:topping",
+    )  # fmt: skip
+    assert {"paprika", "sea salt", "olive oil"}.isdisjoint(inside(told, "knead"))
+    done = motions(told)
+    assert done.index("knead") < first(told, "paprika", "sprinkle") < done.index("bake")

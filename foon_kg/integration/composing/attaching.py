@@ -61,6 +61,8 @@ def _with_side(
 def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
     """Return a line with ``target`` at its place, that stage there, and by identity what became of others."""
     worked = _worked_at(line, at)
+    if worked and at == "simmered":
+        return _attached_simmering(line, worked[-1], target)
     if worked:
         return _attached_to(line, worked, target, at)
     bakes = [place for place, stage in enumerate(line.stages) if stage.does >= {"dry", "heat"}]
@@ -84,8 +86,9 @@ def _attached_baked(line: Line, bakes: Sequence[int], target: Stage, at: str) ->
 
 
 def _worked_at(line: Line, at: str) -> list[Stage]:
-    """Return the stages that do what a component joins ``at``; where it is tossed, only those of the dish itself."""
-    return [stage for stage in (line.stages if at == "tossed" else line.all_stages()) if _is_at(stage, at)]
+    """Return the stages that do what a component joins ``at``; some only of the dish itself."""
+    stages = line.stages if at in {"simmered", "tossed"} else line.all_stages()
+    return [stage for stage in stages if _is_at(stage, at)]
 
 
 def _is_at(stage: Stage, at: str) -> bool:
@@ -93,7 +96,9 @@ def _is_at(stage: Stage, at: str) -> bool:
     mixes = not stage.does.isdisjoint({"mix", "knead"})
     shapes = "shape" in stage.does and "heat" not in stage.does
     over_heat = "heat" in stage.does and "dry" not in stage.does
-    return {"mixed": mixes, "tossed": mixes, "shaped": shapes, "stewed": over_heat}.get(at, False)
+    return {"mixed": mixes, "tossed": mixes, "shaped": shapes, "simmered": over_heat, "stewed": over_heat}.get(
+        at, False
+    )
 
 
 def _attached_to(line: Line, worked: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
@@ -104,6 +109,14 @@ def _attached_to(line: Line, worked: Sequence[Stage], target: Stage, at: str) ->
         return whole, changed[id(mixing)], changed
     became: dict[int, Stage] = {}
     return _with_next(line, worked[-1], target, became), target, became
+
+
+def _attached_simmering(line: Line, heat: Stage, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return a line in which what was heated simmers on in its vessel with ``target``, once it is blended if it is."""
+    target = replace(target, vessel=heat.vessel, relation=heat.relation, appliance=heat.appliance, source=heat.source)
+    became: dict[int, Stage] = {}
+    last = next(one for one in reversed(line.stages) if one is heat or "blend" in one.does)
+    return _with_next(line, last, target, became), target, became
 
 
 def _attached_shaped(line: Line, mixing: Stage, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:

@@ -21,6 +21,11 @@ from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import BATH, Line, Stage
 
 
+def _is_for_another(part: str) -> bool:
+    """Whether a food that a recipe says is for a ``part`` of its dish is for no tin."""
+    return bool(part) and part not in word_list("is said in a list without headings")
+
+
 class Placing(Hands):
     """Takes vessels for the stages of one dish."""
 
@@ -174,7 +179,8 @@ class Placing(Hands):
         row = self.known.utensil(fresh.label)
         if row is None or "bake" not in row.can or row.can & {"heat"}:
             return
-        fat = next((j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")), None)
+        fats = [j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")]
+        fat = min(fats, key=lambda want: _is_for_another(want.part), default=None)
         if fat is not None and any(map(self._is_batter, vessel.contents)):
             self.carry.grease(fat, fresh)
 
