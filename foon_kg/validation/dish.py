@@ -14,7 +14,7 @@ from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.validation.case import Case, names, was_taken_out
 from foon_kg.validation.named import unheeded
 from foon_kg.validation.report import Finding
-from foon_kg.world import Part
+from foon_kg.world import Part, PlayedStep
 from foon_kg.world.becoming import meets
 
 _DONE = frozenset({"boil", "cook"})
@@ -135,11 +135,17 @@ def _is_raw_sauce(case: Case, goal: ObjectNode) -> bool:
 
 
 def _baked(case: Case) -> bool:
-    """Whether something of the dish was in dry heat, in an oven or in a microwave."""
+    """Whether something of the dish was in dry heat, in an oven or in a microwave, or a batter or dough in steam."""
     return any(
-        played_step.does("heat") and (played_step.does("dry") or played_step.in_oven)
+        played_step.does("heat") and (played_step.does("dry") or played_step.in_oven or _steams_dough(played_step))
         for played_step in case.played_steps
     )
+
+
+def _steams_dough(played_step: PlayedStep) -> bool:
+    """Whether a step steams what has flour in it."""
+    parts = (part for lump in played_step.inputs for part in lump.parts)
+    return played_step.does("steam") and any(part.food.is_a("flour", "dough") for part in parts)
 
 
 def _sets_cold(case: Case, dish: Dish) -> bool:

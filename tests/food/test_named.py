@@ -26,7 +26,7 @@ def test_a_row_names_only_what_the_tables_know(name):
     assert row.get("when", "") in {"", "before", "done", "heat"}
     assert ("stage" in row) == ("at" in row)
     assert row.get("stage", "stir") in works()
-    assert row.get("at", "last") in {"before", "done", "last"}
+    assert row.get("at", "last") in {"before", "done", "heat", "last"}
     traits = {trait for kind in FOODS.kinds.values() for trait in kind.traits}
     for text in (*row.get("of", ()), *row.get("without", ()), *row.get("fills", ())):
         for term in (term.lstrip("!") for term in text.split("&")):

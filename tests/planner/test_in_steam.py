@@ -158,3 +158,31 @@ def test_a_cake_of_batter_that_is_fried_is_steamed_before(steps):
 ])  # fmt: skip
 def test_more_that_is_steamed(steps, dish_type, title, foods):
     assert "steam" in motions(steps(dish_type, title, *foods))
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "tin", "foods"),
+    [
+        (
+            "cake", "Steamed carrot cake", "pan",
+            ("carrots:grated", "flour:powder", "sugar:granulated", "eggs:uncooked", "oil:liquid", "cinnamon:ground"),
+        ),
+        (
+            "pudding", "Jam roly poly, steamed", "steamer basket",
+            ("self-raising flour:powder", "suet:creamy", "milk:liquid", "raspberry jam:jelly"),
+        ),
+    ],
+)  # fmt: skip
+def test_what_the_title_calls_steamed_comes_in_no_oven(steps, dish_type, title, tin, foods):
+    told = steps(dish_type, title, *foods)
+    assert "bake" not in motions(told)
+    assert any(label.endswith(tin) for label in told[motions(told).index("steam")][0])
+
+
+def test_steamed_vegetables_lie_under_a_thick_sauce(steps):
+    told = steps(
+        "vegetables", "Steamed cauliflower with cheese sauce", "cauliflower:floret", "butter:unmelted", "flour:powder",
+        "milk:liquid", "cheddar cheese:grated",
+    )  # fmt: skip
+    assert told[motions(told).index("steam")][0].isdisjoint({"milk", "flour", "cheddar cheese"})
+    assert first(told, "cheddar cheese", "stir")

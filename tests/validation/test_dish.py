@@ -305,3 +305,15 @@ def test_k5_a_soup_that_is_blended_of_raw_cucumber_may_be_cold(food, refused):
     )
     told = [line for line in found("K5", recipe("soup", food) + tree) if "nothing in it was heated" in line]
     assert bool(told) is refused
+
+
+def test_k5_a_cake_that_was_steamed_needs_no_oven():
+    steamed = """
+flour (powder; in bag) + egg (beaten; in bowl) + cake pan (empty) → POUR → batter ({egg, flour}; in cake pan)
+pot ({water}; on stove) + stove (off; under pot) → TURN ON → stove (on; under pot)
+batter ({egg, flour}; in cake pan) + pot ({water}; on stove) + stove (on; under pot) → {MOTION}
+  → cake ({egg, flour}; in cake pan)
+"""
+    head = "dish: cake\nasked: flour (powder); egg (beaten)\n"
+    assert "“cake”, and it was never baked" in str(found("K5", head + steamed.replace("{MOTION}", "BOIL")))
+    assert "never baked" not in str(found("K5", head + steamed.replace("{MOTION}", "STEAM")))

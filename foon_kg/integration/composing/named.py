@@ -7,7 +7,7 @@ from dataclasses import fields, replace
 
 from foon_kg.food import Tables
 from foon_kg.food.named import Named
-from foon_kg.integration.composing.techniques import stage_of
+from foon_kg.integration.composing.techniques import done_instead, stage_of
 from foon_kg.integration.joining.course import WORKS
 from foon_kg.integration.joining.patterns import line_with, with_replaced
 from foon_kg.integration.joining.spots import Join, only_carries, spots_of
@@ -97,7 +97,17 @@ def _last(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tuple[
     return new, _at(new, joins, {}, {})
 
 
-_PUT = {"before": _before, "done": _done, "last": _last}
+def _instead(line: Line, joins: tuple[Join, ...], one: Named) -> tuple[Line, tuple[Join, ...]]:
+    """Let the stage come in the stead of the last that bakes, in the same tin: what is steamed comes in no oven."""
+    place = max((n for n, stage in enumerate(line.stages) if "dry" in stage.does), default=None)
+    if place is None:
+        return line, joins
+    baked = line.stages[place]
+    new = Line((*line.stages[:place], done_instead(one.stage, baked), *line.stages[place + 1 :]))
+    return new, _at(new, joins, {}, {id(baked): new.stages[place]})
+
+
+_PUT = {"before": _before, "done": _done, "heat": _instead, "last": _last}
 
 
 def _stage(one: Named) -> Asked:

@@ -23,6 +23,7 @@ from foon_kg.food.techniques import (
     ways,
     works,
 )
+from foon_kg.integration.bench import is_flat
 from foon_kg.integration.composing.assigning import MAIN, assigned, has_its_foods, line_told
 from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
@@ -152,6 +153,20 @@ def stage_of(name: str) -> Stage:
     return Stage(
         (), work.motion, work.does, work.tools, work.vessel, work.relation, work.appliance, work.source, work.label,
         work.states, -1,
+    )  # fmt: skip
+
+
+def done_instead(name: str, stage: Stage) -> Stage:
+    """Return a stage that does what the stage ``name`` of the table does in the stead of ``stage``, in the same tin.
+
+    Where that has none, as what lies on a flat tray, it is done in the vessel of the table.
+    """
+    work, row = works()[name], tables().utensil(stage.vessel)
+    tin = row is not None and "bake" in row.can and not is_flat(stage.vessel)
+    vessel = stage.vessel if tin else work.vessel
+    return _kind_of(work)(
+        stage.adds, work.motion, work.does, work.tools, vessel, work.relation, work.appliance, work.source,
+        stage.label, stage.states, stage.step,
     )  # fmt: skip
 
 
