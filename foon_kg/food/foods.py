@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Food, Kind, Level, Match
+from foon_kg.food.shipped import shipped
 from foon_kg.food.words import plain_words, singular
 from foon_kg.model.names import without_accents
 
@@ -23,6 +25,9 @@ MOST_LOOKED_UP = 1 << 15
 
 _MORE = frozenset({"for", "with"})
 """After these words a name says no more what the food is."""
+
+_OF = frozenset({"al", "alla", "au", "aux", "com", "con", "d", "da", "de", "del", "des", "di", "do", "du", "em", "en"})
+"""Before these words names of other languages say what the food is: caldo de pollo is no chicken."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,8 +72,15 @@ class FoodTable:
         return self._found[name]
 
     def is_listed(self, label: str) -> bool:
-        """Return whether the table lists ``label`` itself, in the singular or the plural."""
-        return singular(label) in self.kind_of
+        """Return whether the table has ``label`` itself, in the singular or the plural, or as another name."""
+        name = singular(label)
+        return name in self.kind_of or name in self.called
+
+    @cached_property
+    def called(self) -> Mapping[str, str]:
+        """The listed food that is meant by each of its other names (fabes, birote): they only add to ``kind_of``."""
+        rows: Mapping[str, Sequence[str]] = shipped("names")["names"]
+        return {name: meant for meant, names in rows.items() for name in names}
 
     def broader(self, kind: str) -> frozenset[str]:
         """Return a kind with all kinds that it is of."""
@@ -106,6 +118,8 @@ class FoodTable:
 
     def _meant(self, name: str, states: Sequence[str]) -> str:
         """Return which of the foods called ``name`` one in these ``states`` is."""
+        if name not in self.kind_of:
+            name = self.called.get(name, name)
         return next((other for state, other in self.homonyms.get(name, ()) if _is_among(state, states)), name)
 
     def _in_singular(self, label: str) -> str:
@@ -120,24 +134,46 @@ class FoodTable:
     def _find(self, name: str) -> tuple[str, str, Match]:
         # the last words before the ending, and any other words last: English names a food by its last noun
         own = name.split()
-        if name in self.kind_of:
-            return self.kind_of[name], name, Match.NAME
-        more = next((place for place, word in enumerate(own) if place and word in _MORE), 0)
-        if more:  # tomatoes with green chilies are tomatoes, pastry for a pie is pastry
-            return self._find(" ".join(own[:more]))
-        found = self._listed_among([own[start:] for start in range(1, len(own))], Match.HEAD)
+        listed = self._listed(name, Match.NAME)
+        if listed:
+            return listed
+        if more := _before(own, _MORE):  # tomatoes with green chilies are tomatoes, pastry for a pie is pastry
+            return self._find(" ".join(more))
+        found = self._listed_among(_heads(own), Match.HEAD)
         return found or self._by_ending(own) or self._listed_among(_phrases(own), Match.PART) or _NOT_FOUND
 
     def _listed_among(self, phrases: Iterable[Sequence[str]], match: Match) -> tuple[str, str, Match] | None:
         """Return the kind of the first of ``phrases`` that a kind has among its words."""
-        listed = (phrase for phrase in map(" ".join, phrases) if phrase in self.kind_of)
-        phrase = next(listed, None)
-        return None if phrase is None else (self.kind_of[phrase], phrase, match)
+        return next((found for phrase in phrases if (found := self._listed(" ".join(phrase), match))), None)
+
+    def _listed(self, name: str, match: Match) -> tuple[str, str, Match] | None:
+        """Return the kind of ``name``, and as what it is listed; ``None`` where it is not."""
+        kind = self.kind_of.get(name)
+        if kind is not None:
+            return kind, name, match
+        meant = self.called.get(name)
+        return None if meant is None else (self.kind_of[meant], meant, match)
 
     def _by_ending(self, own: Sequence[str]) -> tuple[str, str, Match] | None:
         """Return the kind of foods whose last word ends so (*berry*)."""
         found = ((kind, ending, Match.SUFFIX) for ending, kind in self.endings if own and own[-1].endswith(ending))
         return next(found, None)
+
+
+def _before(own: Sequence[str], ends: Collection[str]) -> Sequence[str]:
+    """Return the words of a name in front of the first of ``ends`` in it; none where none is."""
+    return own[: next((place for place, word in enumerate(own) if place and word in ends), 0)]
+
+
+def _heads(own: Sequence[str]) -> Iterator[Sequence[str]]:
+    """Yield the words at the end of a name, the longer phrases first; what stands before an "of" ends a name, too."""
+    of = len(_before(own, _OF))
+    for start in range(1, of + 1):
+        yield own[start:]
+    for start in range(of):
+        yield own[start:of]
+    for start in range(of + 1, len(own)):
+        yield own[start:]
 
 
 def _phrases(own: Sequence[str]) -> Iterator[Sequence[str]]:

@@ -164,7 +164,7 @@ def test_what_the_name_of_a_dish_promises_is_done(steps, dish, asked, motion, in
 @pytest.mark.parametrize(
     ("food", "state", "package"),
     [
-        ("canela", "ground", "packet"), ("sunflower", "whole nuts", "packet"),
+        ("zedoary", "ground", "packet"), ("sunflower", "whole nuts", "packet"),
         ("ginger", "thick sauce", "container"),
     ],
 )  # fmt: skip

@@ -1,0 +1,63 @@
+"""Other names of foods: each reaches the food that it is taken for, and takes nothing from the listed ones."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from foon_kg.food import tables, words
+from foon_kg.food.rows import Match
+from foon_kg.food.shipped import shipped
+
+NAMES = shipped("names")["names"]
+FOODS = tables().foods
+
+
+def test_every_food_that_names_are_taken_for_is_listed():
+    assert [meant for meant in NAMES if meant not in FOODS.kind_of] == []
+
+
+@pytest.mark.parametrize("meant", NAMES)
+def test_every_name_is_the_food_that_it_is_taken_for(meant):
+    own = {name for name in NAMES[meant] if name not in FOODS.kind_of}  # a table that lists one knows more of it
+    assert {FOODS.find(name) for name in own} <= {(FOODS.kind_of[meant], meant, Match.NAME)}
+
+
+def test_names_stand_as_names_of_foods_are_compared():
+    assert [name for names in NAMES.values() for name in names if name != " ".join(words(name))] == []
+
+
+def test_no_name_is_of_two_foods():
+    counted = Counter(name for names in NAMES.values() for name in names)
+    assert [name for name, times in counted.items() if times > 1] == []
+
+
+def test_no_name_is_a_utensil():
+    assert [name for names in NAMES.values() for name in names if tables().utensil(name)] == []
+
+
+@pytest.mark.parametrize(
+    ("asked", "kind"),
+    [
+        ("fagioli", "dry pulse"),
+        ("Pandesal", "bun"),
+        ("bifes de nalga", "meat"),
+        ("lacón curado", "corned beef"),
+        ("chorizos asturianos", "raw sausage"),
+        ("home-made caldo de pollo", "stock"),  # no chicken
+        ("aceite de oliva", "oil"),  # no olive
+        ("disco de pizza", "flatbread"),
+        ("fresh hiyamugi noodles", "dry pasta"),
+        ("mamaliga", "dry grain"),
+        ("papaya", "peel fruit"),
+        ("garden eggs", "eggplant"),
+    ],
+)
+def test_names_of_many_lands_are_known(asked, kind):
+    assert FOODS.food(asked).kind == kind
+
+
+def test_another_name_has_what_its_states_make_of_the_food():
+    assert FOODS.food("fagioli", ["canned"]).kind == FOODS.food("dried bean", ["canned"]).kind == "canned pulse"
+    assert FOODS.food("elote", ["frozen"]).kind == FOODS.food("corn", ["frozen"]).kind
