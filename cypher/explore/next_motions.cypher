@@ -7,7 +7,6 @@
 // column: times
 // column: videos
 // mode: read
-// scans: a verb has no index of its own among the units
 MATCH (:Motion {verb: $motion})-[follows:NEXT]->(after:Motion)
 WITH after.verb AS next, follows.video AS video ORDER BY video
 RETURN next, count(*) AS times, collect(DISTINCT video) AS videos

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
@@ -16,9 +16,13 @@ from foon_kg.cli.streams import data
 from foon_kg.model.json_text import json_value
 
 if TYPE_CHECKING:
+    from foon_kg.foon import Foon
     from foon_kg.store.graph.free_cypher import Answer
 
 Form = Literal["table", "json", "csv"]
+
+MOST_NAMES = 100_000
+"""Among so many names of a graph a misspelt one is looked for."""
 
 EXAMPLES = examples(
     'foon cypher "MATCH (v:Video) RETURN v.name ORDER BY v.name"',
@@ -78,16 +82,22 @@ def cypher(
     say = sayer(quiet=quiet)
     with Foon.connect(say=say) as foon, driver_without_arrays():
         answer = foon.cypher(text, parameters, write=write, limit=limit, timeout=timeout)
+        doubts = () if answer.rows else _doubts(foon, name, parameters)
     _show(answer, form)
-    for warning in answer.warnings:
-        say(f"warning: {warning}")
-    if answer.columns and not answer.rows:
-        say("Nothing in this graph answers that.")
-    if answer.cut:
-        say(f"There are more rows than {limit}: show more with --limit.")
-    if answer.changes:
-        say("Changed: " + ", ".join(f"{count} {name.replace('_', ' ')}" for name, count in answer.changes.items()))
+    for told in _told(answer, doubts, limit):
+        say(told)
     return None
+
+
+def _told(answer: Answer, doubts: Sequence[str], limit: int) -> Iterator[str]:
+    """Yield what there is to say beside the rows of an answer."""
+    yield from (f"warning: {warning}" for warning in answer.warnings)
+    if answer.columns and not answer.rows:
+        yield " ".join(("Nothing in this graph answers that.", *doubts))
+    if answer.cut:
+        yield f"There are more rows than {limit}: show more with --limit."
+    if answer.changes:
+        yield "Changed: " + ", ".join(f"{count} {name.replace('_', ' ')}" for name, count in answer.changes.items())
 
 
 def _one_form(form: Form | None, *, as_json: bool, as_csv: bool) -> Form:
@@ -111,6 +121,16 @@ def _question(query: str | None, name: str | None, given: dict[str, str]) -> tup
         return ours.text, values(ours, given)
     text = sys.stdin.read() if query == "-" else str(query)
     return text, {key: _as_json_or_text(value) for key, value in given.items()}
+
+
+def _doubts(foon: Foon, name: str | None, parameters: Mapping[str, object]) -> Sequence[str]:
+    """Return what is odd about the ``parameters`` of our query ``name`` that nothing answers; of no other one."""
+    from foon_kg.cli.named_queries import explore_query, unknown_names
+
+    if name is None or not parameters:
+        return ()
+    known = foon.cypher(explore_query("names").text, limit=MOST_NAMES)
+    return tuple(unknown_names(parameters.values(), {str(row[1]) for row in known.rows}))
 
 
 def _list_queries(*, as_json: bool) -> None:

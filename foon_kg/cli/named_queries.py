@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import json
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from foon_kg.model.errors import UsageError
@@ -37,6 +37,18 @@ def values(query: NamedQuery, given: Mapping[str, str]) -> dict[str, object]:
     if missing := [name for name in query.parameters if name not in texts]:
         raise UsageError(f"{query.name} also asks for {', '.join(missing)}", hint=_asked_like(query))
     return {name: _typed(query, name, kind, texts[name]) for name, kind in query.parameters.items()}
+
+
+def unknown_names(given: Iterable[object], known: Collection[str]) -> Iterator[str]:
+    """Yield a sentence on each text among the ``given`` values that is no name of those ``known``, with a near one."""
+    spelled = {name.lower(): name for name in sorted(known)}
+    texts = (text for value in given for text in (value if isinstance(value, list) else [value]))
+    for text in texts:
+        if not isinstance(text, str) or not text or text in known:
+            continue
+        near = difflib.get_close_matches(text.lower(), spelled, n=1)
+        meant = f"did you mean “{spelled[near[0]]}”?" if near else "foon cypher --name names shows them all."
+        yield f"It has no name “{text}”: {meant}"
 
 
 def command(query: NamedQuery) -> str:

@@ -11,6 +11,7 @@ from kitchen_stories import SALAD, subgraph
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
+from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import write_text
 
 GOOD = write_text(subgraph("good", "salad", *SALAD))
@@ -134,6 +135,25 @@ def test_cypher_prints_lists_as_words_numbers_to_the_right_and_says_where_nothin
     nothing = foon("cypher", "MATCH (n:Nothing) RETURN n")
     assert nothing.exit_code == 0
     assert "Nothing in this graph answers that." in nothing.stderr
+
+
+@pytest.mark.neo4j
+def test_a_query_of_ours_that_nothing_answers_says_which_name_is_misspelt(database):
+    foon("load", "foon", demo_folder())
+
+    def told(name, **given):
+        answer = foon("cypher", "--name", name, *(word for key in given for word in ("-P", f"{key}={given[key]}")))
+        assert answer.exit_code == 0, answer.stderr
+        return answer.stderr
+
+    assert "It has no name “onoin”: did you mean “onion”?" in told("states_of_food", food="onoin")
+    assert "did you mean “onion”?" in told("states_of_food", food="Onion")
+    assert "did you mean “greek_salad”?" in told("steps_of_video", video="greek_sald")
+    assert "did you mean “oil”?" in told("where_kind_joins", kind="oill")
+    assert "“qqqq”: foon cypher --name names shows them all." in told("dishes_with_foods", foods="onion,qqqq")
+    assert "It has no name" not in told("motion_on_food", food="onion", motion="squeeze")
+    removed = foon("remove", "greek_sald")
+    assert (removed.exit_code, "Did you mean greek_salad" in removed.stderr) == (2, True)
 
 
 @pytest.mark.neo4j

@@ -70,6 +70,29 @@ def test_the_videos_that_chop_onion(connection):
 
 
 @pytest.mark.neo4j
+def test_the_names_of_a_graph_are_those_of_its_files(connection):
+    found = {}
+    for kind, name in ask(connection, "names"):
+        found.setdefault(kind, set()).add(name)
+    assert found["thing"] == {label for unit in UNITS for label in labels((*unit.input_nodes, *unit.output_nodes))}
+    assert found["motion"] == {unit.motion for unit in UNITS}
+    assert found["video"] == VIDEOS.keys()
+    assert found["state"] == {row.state for row in SNAPSHOT.vocabulary().foods if row.state}
+    assert found["dish type"] == {goal.dish_type for goal in SNAPSHOT.goals()}
+    assert "oil" in found["kind of food"]
+
+
+@pytest.mark.neo4j
+@pytest.mark.parametrize(
+    "asked", ["MATCH (m:Motion {verb: 'chop'}) RETURN count(m)", explore_query("next_motions").text]
+)
+def test_units_are_found_by_their_verb_without_a_look_at_all(connection, asked):
+    plan = " ".join(map(str, ask_freely(connection, f"EXPLAIN {asked}", {"motion": "chop", "most": 1}).rows))
+    assert "IndexSeek" in plan
+    assert "LabelScan" not in plan
+
+
+@pytest.mark.neo4j
 def test_the_motions_that_make_a_state_are_those_of_units_that_bring_it(connection):
     def makes(unit):
         before, after = ([n for n in nodes if n.label == "onion"] for nodes in (unit.input_nodes, unit.output_nodes))

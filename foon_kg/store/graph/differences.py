@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Iterable, Sequence
 
 import neo4j
@@ -38,7 +39,7 @@ def losses(connection: Connection, names: Sequence[str]) -> tuple[VideoDifferenc
 def _losses(transaction: neo4j.ManagedTransaction, names: Sequence[str]) -> tuple[VideoDifference, ...]:
     there = {row.name for row in ask(transaction, cypher.VIDEO_CONTENTS, names=list(names))}
     if unknown := [name for name in names if name not in there]:
-        raise unknown_videos(unknown)
+        raise unknown_videos(transaction, unknown)
     return _differences(transaction, names, {})
 
 
@@ -54,9 +55,12 @@ def _differences(
     return tuple(difference(name, before.get(name), wanted.get(name), shown, labels) for name in names)
 
 
-def unknown_videos(names: Sequence[str]) -> UsageError:
-    """Return the error that says that the graph does not have the videos called ``names``."""
+def unknown_videos(transaction: neo4j.ManagedTransaction, names: Sequence[str]) -> UsageError:
+    """Return the error that the graph of ``transaction`` has no videos called ``names``, with what is spelled alike."""
+    there = [row.name for row in ask(transaction, cypher.VIDEO_NAMES)]
+    near = dict.fromkeys(one for name in sorted(names) for one in difflib.get_close_matches(name, there, n=2))
+    meant = f"Did you mean {' or '.join(near)}? " if near else ""
     return UsageError(
         f"the graph has no video “{'”, “'.join(sorted(names))}”",
-        hint="A video is named like its file, without the ending: foon cypher 'MATCH (v:Video) RETURN v.name'.",
+        hint=f"{meant}A video is named like its file, without the ending: foon cypher 'MATCH (v:Video) RETURN v.name'.",
     )

@@ -140,7 +140,7 @@ def _report(batch: Sequence[Subgraph], changed: Collection[str], contents: Colle
 def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str], kitchen: Kitchen) -> None:
     writer = _writer(transaction, kitchen)
     if unknown := sorted(set(names) - _contents(transaction, names).keys()):
-        raise unknown_videos(unknown)
+        raise unknown_videos(transaction, unknown)
     writer.forget(names)
     writer.drop_videos(names)
     writer.finish()
