@@ -36,9 +36,10 @@ def test_rice_for_a_sharp_salad_is_toasted_and_ground(steps):
 
 
 def test_pieces_of_raw_meat_are_never_shaped(steps):
-    told = steps("pork", "Thit Kho", "pork belly:cut", "sugar:granulated",
+    told = steps("pork", "Thit Kho", "pork belly:cut", "eggs:boiled, peeled", "sugar:granulated",
                  "fish sauce:sauce", "garlic:smashed", "shallots:sliced", "coconut water:liquid")  # fmt: skip
     assert {"press", "shape", "roll"}.isdisjoint(motions(told))
+    assert first(told, "eggs", "peel") < motions(told).index("simmer")
 
 
 def test_what_stands_below_a_gravy_is_not_cooked_in_it(steps):
