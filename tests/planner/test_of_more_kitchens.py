@@ -158,3 +158,68 @@ def test_what_is_cut_when_it_is_baked_is_not_chopped_before(steps):
     told = steps("salad", "Salata mechouia", "green peppers:whole", "tomatoes:whole", "onion:whole",
                  "olive oil:liquid", "lemon:juice")  # fmt: skip
     assert "chop" not in motions(told)
+
+
+def test_a_sauce_that_rice_is_eaten_with_is_cooked_apart(steps):
+    told = steps("rice", "Nasi lemak", "rice:uncooked", "coconut milk:liquid", "pandan leaves:whole",
+                 "dried chillies:soaked:sauce", "shallots:chopped:sauce", "oil:liquid:sauce",
+                 "cucumber:sliced:serving")  # fmt: skip
+    assert {"dried chillies", "shallots"} <= inside(told, "blend")
+    assert "dried chillies" not in inside(told, "simmer")
+
+
+def test_what_is_raw_beside_rice_without_a_title_is_not_boiled_with_it(steps):
+    told = steps("rice", "", "rice:uncooked", "coconut milk:liquid", "turmeric:ground", "lime leaves:whole",
+                 "eggs:sliced", "cucumber:sliced")  # fmt: skip
+    assert inside(told, "simmer").isdisjoint({"eggs", "cucumber"})
+
+
+def test_fine_noodles_are_browned_and_boiled_with_the_rice(steps):
+    told = steps("rice", "", "butter:softened", "vermicelli:pieces", "rice:uncooked", "chicken broth:liquid",
+                 "onion:minced")  # fmt: skip
+    assert "boil" not in motions(told)
+    assert first(told, "vermicelli", "cook and stir") < motions(told).index("simmer")
+
+
+def test_flesh_lies_in_its_sauce_before_it_is_fried(steps):
+    told = steps("beef", "Bulgogi", "beef sirloin:sliced", "soy sauce:liquid", "sugar:granulated", "pear:grated",
+                 "onion:sliced", "sesame oil:liquid")  # fmt: skip
+    assert first(told, "beef sirloin", "mix") < motions(told).index("chill") < motions(told).index("cook and stir")
+
+
+def test_fish_is_baked_under_sesame_paste(steps):
+    told = steps("seafood", "Samke harra", "sea bass:whole", "tahini:creamy", "lemon:juice", "garlic:crushed",
+                 "walnuts:chopped", "olive oil:liquid")  # fmt: skip
+    assert motions(told).count("bake") == 2
+    assert "tahini" in inside(told, "stir")
+
+
+def test_balls_are_shaped_before_they_come_into_their_sauce(steps):
+    told = steps("meatball", "Dawood basha", "minced lamb:raw", "onion:grated", "onions:sliced", "tomatoes:chopped",
+                 "pomegranate molasses:thick liquid", "water:liquid", "olive oil:liquid")  # fmt: skip
+    assert inside(told, "mix") == {"minced lamb", "onion"}
+
+
+def test_balls_of_cheese_are_fried_and_lie_in_a_smooth_gravy(steps):
+    told = steps("meatball", "Malai kofta", "paneer:grated", "potatoes:boiled, mashed", "cornflour:powder",
+                 "oil:liquid:frying", "tomatoes:chopped:gravy", "cream:liquid:gravy")  # fmt: skip
+    assert inside(told, "mix").isdisjoint({"tomatoes", "cream"})
+    assert "tomatoes" in inside(told, "blend")
+
+
+def test_a_stew_is_made_before_it_comes_into_a_loaf(steps):
+    told = steps("sandwich", "Bunny chow", "white bread loaf:whole", "lamb:cubed", "onion:chopped", "tomatoes:chopped",
+                 "curry powder:powder", "oil:liquid", "water:liquid")  # fmt: skip
+    assert {"lamb", "tomatoes", "curry powder"} <= of(told, "simmer")
+
+
+def test_a_casserole_that_is_called_after_a_stew_is_baked(steps):
+    told = steps("casserole", "Turlu guvec", "lamb:cubed", "eggplant:cubed", "zucchini:sliced", "tomatoes:chopped",
+                 "onion:chopped", "olive oil:liquid", "water:liquid")  # fmt: skip
+    assert "bake" in motions(told)
+
+
+def test_sauces_come_on_a_savoury_pancake_and_not_into_its_batter(steps):
+    told = steps("omelette", "Okonomiyaki", "flour:powder", "dashi:liquid", "eggs:uncooked", "cabbage:shredded",
+                 "oil:liquid", "okonomiyaki sauce:sauce", "bonito flakes:whole", "aonori:whole")  # fmt: skip
+    assert inside(told, "fold").isdisjoint({"okonomiyaki sauce", "bonito flakes", "aonori"})
