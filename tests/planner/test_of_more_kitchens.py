@@ -223,3 +223,36 @@ def test_sauces_come_on_a_savoury_pancake_and_not_into_its_batter(steps):
     told = steps("omelette", "Okonomiyaki", "flour:powder", "dashi:liquid", "eggs:uncooked", "cabbage:shredded",
                  "oil:liquid", "okonomiyaki sauce:sauce", "bonito flakes:whole", "aonori:whole")  # fmt: skip
     assert inside(told, "fold").isdisjoint({"okonomiyaki sauce", "bonito flakes", "aonori"})
+
+
+def test_greens_are_blanched_and_dressed(steps):
+    told = steps("vegetables", "Horenso goma-ae", "spinach:leaves", "sesame seeds:toasted", "soy sauce:liquid",
+                 "sugar:granulated")  # fmt: skip
+    assert motions(told).index("boil") < first(told, "spinach", "mix")
+    assert "soy sauce" not in of(told, "cook and stir")
+
+
+def test_a_joint_is_lifted_out_of_what_it_was_simmered_in(steps):
+    told = steps("pork", "Bo ssam", "pork belly:raw", "doenjang:paste", "onion:whole", "garlic:clove", "water:liquid",
+                 "napa cabbage:whole", "ssamjang:paste")  # fmt: skip
+    assert "ssamjang" not in of(told, "simmer")
+    assert motions(told).index("simmer") < motions(told).index("slice")
+
+
+def test_rice_cakes_swell_in_their_sauce_and_boiled_eggs_lie_on_it(steps):
+    told = steps("stir-fry", "Tteokbokki", "tteok:whole", "gochujang:paste", "sugar:granulated", "anchovy stock:liquid",
+                 "boiled eggs:halved", "scallions:cut")  # fmt: skip
+    assert {"tteok", "gochujang"} <= of(told, "simmer")
+    assert "boiled eggs" not in of(told, "whisk")
+
+
+def test_sour_fruit_of_a_chutney_is_simmered_and_blended(steps):
+    told = steps("sauce", "Tamarind chutney", "tamarind:paste", "jaggery:granulated", "dates:chopped", "water:liquid")
+    assert motions(told).index("simmer") < motions(told).index("blend")
+
+
+def test_soaked_chillies_of_harissa_are_ground_with_the_rest(steps):
+    told = steps("sauce", "Harissa", "dried chillies:soaked", "garlic:clove", "caraway seeds:whole", "olive oil:liquid",
+                 "lemon juice:juice")  # fmt: skip
+    assert {"dried chillies", "garlic", "olive oil"} <= inside(told, "blend")
+    assert "cook" not in motions(told)
