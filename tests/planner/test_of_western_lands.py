@@ -270,3 +270,49 @@ def test_meat_dried_under_salt_lies_in_water_first(steps):
     told = steps("pork", "Feijoada", "black beans:soaked", "carne seca:cubed", "pork ribs:raw", "linguiça:sliced",
                  "onion:chopped", "garlic:minced", "bay leaves:sprig")  # fmt: skip
     assert first(told, "carne seca", "soak") < first(told, "carne seca", "dice")
+
+
+@pytest.mark.parametrize(("title", "wet"), [("Patatas a la Riojana", "white wine:liquid"),
+                                            ("Paprikás Krumpli", "water:liquid")])  # fmt: skip
+def test_potatoes_are_stewed_in_what_is_listed_with_them(steps, title, wet):
+    told = steps("potatoes", title, "potatoes:cubed", "onion:chopped", "chorizo:sliced", "sweet paprika:ground",
+                 "olive oil:liquid", wet)  # fmt: skip
+    assert "flip" not in motions(told)
+    assert first(told, "onion", "cook and stir") < first(told, "potatoes", "simmer")
+
+
+def test_boiled_potatoes_lie_under_their_sauce(steps):
+    told = steps("potatoes", "Papas Chorreadas", "red potatoes:peeled", "butter:stick", "onion:chopped",
+                 "tomatoes:chopped", "cream:creamy", "mozzarella:grated")  # fmt: skip
+    assert "tomatoes" not in inside(told, "boil")
+    assert first(told, "red potatoes", "boil") < first(told, "tomatoes", "cook and stir")
+
+
+def test_dumplings_of_suet_are_shaped_and_baked_on_their_stew(steps):
+    told = steps("casserole", "Beef Casserole with Dumplings", "stewing beef:cut", "onions:chopped", "flour:plain",
+                 "beef stock:liquid", "oil:liquid", "self-raising flour:powder", "suet:shredded",
+                 "cold water:cold")  # fmt: skip
+    assert inside(told, "mix") >= {"self-raising flour", "suet"}
+    assert motions(told).index("simmer") < motions(told).index("shape") < motions(told).index("bake")
+
+
+def test_a_hock_is_lifted_out_of_its_soup_and_pulled(steps):
+    told = steps("soup", "Pea and Ham Soup", "ham hock:smoked", "split peas:dried", "onion:chopped", "carrot:diced",
+                 "bay leaf:sprig")  # fmt: skip
+    pulled = next(inputs for inputs, motion, _ in told if motion == "pull apart")
+    assert "ham hock" in pulled
+    assert "split peas" not in pulled
+
+
+def test_corn_and_peel_are_boiled_for_a_drink_and_strained(steps):
+    told = steps("drinks", "Chicha Morada", "purple corn:dried", "pineapple:peel", "water:liquid", "sugar:granulated",
+                 "cinnamon stick:whole", "lime juice:juice")  # fmt: skip
+    assert first(told, "purple corn", "cook") < motions(told).index("pour and strain")
+    assert not any("lime juice" in inputs and motion == "cook" for inputs, motion, _ in told)
+
+
+def test_roots_that_are_asked_fried_beside_a_dish_are_fried(steps):
+    told = steps("seafood", "Encocado de Camarón", "prawns:raw", "onion:chopped", "coconut milk:liquid", "oil:liquid",
+                 "plantains:fried:serving")  # fmt: skip
+    assert not any("plantains" in inputs and motion == "boil" for inputs, motion, _ in told)
+    assert any("plantains" in inputs and motion == "flip" for inputs, motion, _ in told)
