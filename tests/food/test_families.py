@@ -115,7 +115,8 @@ def test_a_dish_of_a_family_is_known_by_each_of_its_names():
         ("batter steamed", ["Rava idli", "Khaman dhokla", "Puto cheese", "Moi Moi"]),
         ("dough around a filling in leaves, steamed", ["Red chile pork tamales", "Humitas"]),
         ("dough around a filling in leaves, boiled", ["Hallacas venezolanas", "Zongzi"]),
-        ("wrapped in leaves and steamed", ["Otak Otak", "Lo Mai Gai", "Patra ni Machhi"]),
+        ("wrapped in leaves and steamed", ["Otak Otak", "Lo Mai Gai", "Patra ni Machhi", "Suman malagkit"]),
+        ("dough of rice flour, steamed", ["Idiyappam", "Ukadiche Modak"]),
         ("pudding steamed in a covered basin", ["Christmas Pudding", "Spotted Dick", "Boston Brown Bread"]),
         ("eggs in broth, set in steam", ["Chawanmushi", "Chinese Steamed Eggs", "Gyeran Jjim"]),
         (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from planner.told_steps import first, motions
+from planner.told_steps import first, inside, motions
 
 pytestmark = pytest.mark.shared_data
 
@@ -186,3 +186,35 @@ def test_steamed_vegetables_lie_under_a_thick_sauce(steps):
     )  # fmt: skip
     assert told[motions(told).index("steam")][0].isdisjoint({"milk", "flour", "cheddar cheese"})
     assert first(told, "cheddar cheese", "stir")
+
+
+def test_a_bun_that_is_filled_later_is_steamed_empty(steps):
+    told = steps(
+        "bread", "Gua bao", *DOUGH, "pork belly:raw", "soy sauce:liquid", "star anise:whole", "peanuts:crushed",
+        "cilantro:chopped",
+    )  # fmt: skip
+    there = told[motions(told).index("steam")]
+    assert {"pork belly", "soy sauce"}.isdisjoint({*there[0], *inside(told, "steam")})
+    assert any("pork belly" in inputs for inputs, _, _ in told)
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "foods"),
+    [
+        ("beef", "Steamed beef balls, dim sum", ("ground beef:raw", "cornstarch:powder", "soy sauce:liquid")),
+        ("bread", "Modak", ("rice flour:powder", "water:liquid", "coconut:grated", "jaggery:granulated")),
+        ("bread", "Idiyappam", ("rice flour:powder", "water:boiling", "salt:granulated")),
+        ("chicken", "Chicken and rice in lotus leaf", ("chicken:sliced", "rice:uncooked", "lotus leaves:soaked")),
+        ("seafood", "Lemon steamed cod with vegetables", ("cod fillets:raw", "carrot:julienned", "lemon:sliced")),
+    ],
+)
+def test_all_that_is_raw_is_in_the_steam(public_plans, dish_type, title, foods):
+    units = public_plans(dish_type, title, *foods).units
+    (steamed,) = [unit for unit in units if unit.motion == "steam"]
+    there = {name for node in steamed.input_nodes for name in (node.label, *node.ingredients)}
+    assert {food.partition(":")[0] for food in foods} - {"lotus leaves", "salt", "water"} <= there
+
+
+def test_dumplings_that_are_fried_are_steamed_before(steps):
+    told = motions(steps("bread", "Gyoza", "gyoza wrappers:raw", "ground pork:raw", "vegetable oil:liquid"))
+    assert told.index("steam") < len(told) - told[::-1].index("cook") - 1
