@@ -28,7 +28,7 @@ _STEP = re.compile(
 _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
 
 TABLES = (
-    "steamed", "regional", "lands", "vegetables", "eggs", "handheld", "morsels", "cold", "pies", "sauces", "drinks",
+    "steamed", "regional", "vegetables", "eggs", "handheld", "morsels", "cold", "pies", "sauces", "drinks",
     "flesh", "savoury", "techniques", "methods", "grains",
 )  # fmt: skip
 """The documents with rows of techniques, in the order in which these are tried."""

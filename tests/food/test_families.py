@@ -49,6 +49,17 @@ def test_every_name_reaches_a_row_of_its_family(family):
     assert [name for name in FAMILIES[family] if reached(name).isdisjoint(ROWS[family])] == []
 
 
+def test_no_row_repeats_a_name_that_its_own_family_has():
+    rows = [row["called"] for table in TABLES for row in shipped(table)["techniques"].values() if "called" in row]
+    families = [{name for one in called if one[1:] in FAMILIES for name in FAMILIES[one[1:]]} for called in rows]
+    assert [
+        one
+        for called, names in zip(rows, families, strict=True)
+        for one in called
+        if not one.startswith("@") and " ".join(words(one)) in names
+    ] == []
+
+
 def test_names_stand_as_words_of_a_title_are_compared():
     assert [name for names in FAMILIES.values() for name in names if name != " ".join(words(name))] == []
 
