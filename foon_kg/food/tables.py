@@ -111,6 +111,12 @@ class Tables:
         return families | {singular(name): dish_row(name, row) for name, row in rows.items() if name[0] != "@"}
 
     @cached_property
+    def cores(self) -> Mapping[str, str]:
+        """As what a food of which nothing is known is understood, by the type of a dish that needs such a food."""
+        cores: Mapping[str, str] = self._dish_table["cores"]
+        return cores
+
+    @cached_property
     def unfinished(self) -> frozenset[str]:
         """The names of what is no finished dish: dough, batter, mixture."""
         return frozenset(map(singular, self._dish_table["products"]["unfinished"]))

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from foon_kg.food import Tables, singular, words
-from foon_kg.food.rows import Dish
+from foon_kg.food.rows import Dish, Food
 from foon_kg.goals.asked import SEASONS, Asked
 from foon_kg.goals.names import BY_TITLE, BY_TYPE
 from foon_kg.goals.recorded import Recorded, recorded
@@ -122,25 +122,33 @@ def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -
 
     ``wants`` are the foods of the recipe; ``known`` are the tables that say what dishes need.
     """
-    lacked = [
-        (dish.name, needs)
-        for dish in known.dishes_named(dish_type, title)
-        if not _is_asked_ready(dish, wants)
-        for needs in dish.needs
-        if not _has_any(wants, needs, known)
-    ]
+    lacked = lacking([want.facts for want in wants], dish_type, title, known)
     return [f"no {name} without {_shown(needs)}" for name, needs in lacked]
 
 
-def _is_asked_ready(dish: Dish, wants: Sequence[Want]) -> bool:
+def lacking(foods: Sequence[Food], dish_type: str, title: str, known: Tables) -> list[tuple[str, Sequence[str]]]:
+    """Return each dish of ``dish_type`` and ``title`` that none of ``foods`` makes, with what would.
+
+    ``known`` are the tables that say what dishes need.
+    """
+    return [
+        (dish.name, needs)
+        for dish in known.dishes_named(dish_type, title)
+        if not _is_asked_ready(dish, foods)
+        for needs in dish.needs
+        if not _has_any(foods, needs, known)
+    ]
+
+
+def _is_asked_ready(dish: Dish, foods: Sequence[Food]) -> bool:
     """Whether a recipe asks for a dish ready made, as one of its foods; of a dish type only by its whole name."""
-    if dish.name in {singular(want.label) for want in wants}:
+    if dish.name in {food.name for food in foods}:
         return True
-    return not dish.is_type and any(dish.name in words(want.label) for want in wants)
+    return not dish.is_type and any(dish.name in words(food.name) for food in foods)
 
 
-def _has_any(wants: Sequence[Want], needs: Sequence[str], known: Tables) -> bool:
-    return any(meets(need, want.facts, known) for need in needs for want in wants)
+def _has_any(foods: Sequence[Food], needs: Sequence[str], known: Tables) -> bool:
+    return any(meets(need, food, known) for need in needs for food in foods)
 
 
 def _shown(needs: Sequence[str]) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from foon_kg.food import Tables
 from foon_kg.food.named import Named
@@ -14,6 +14,42 @@ from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import Recipe
 from foon_kg.model.claims import Assumption
 from foon_kg.model.tree import TreeUnit
+
+
+@dataclass(frozen=True)
+class Core:
+    """A food that nothing is known of, by its ``name``, taken for the listed ``food`` that its ``dish`` is made of.
+
+    ``among`` is of how many of the asked foods nothing is known.
+    """
+
+    name: str
+    food: str
+    dish: str
+    among: int
+
+    @property
+    def label(self) -> str:
+        """How it is called in the tree, so that everybody knows what it is taken for."""
+        return f"{self.name} {self.food}"
+
+    @property
+    def why(self) -> str:
+        """Why it is taken for that, and how sure that is."""
+        only = f"confidence {1 / self.among:.2f}: it is one of {self.among} such foods"
+        sure = only if self.among > 1 else "the only such food"
+        why = f"nothing is known of “{self.name}”, and no {self.dish} is without a food like {self.food}"
+        return f"{why}: taken for that ({sure})"
+
+
+def with_core_told(tree: FinalTree, core: Core | None) -> FinalTree:
+    """Return a ``tree`` that says for what the food was taken of which nothing is known (``core``), if any."""
+    leaf = next(
+        (node for node in tree.kitchen if core is not None and core.label in {node.label, *node.ingredients}), None
+    )
+    if leaf is None or core is None:
+        return tree
+    return replace(tree, assumptions=(*tree.assumptions, Assumption(leaf, core.why)))
 
 
 def with_unheeded(

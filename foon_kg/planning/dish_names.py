@@ -3,22 +3,29 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables, words
 from foon_kg.food.lists import says, word_list
+from foon_kg.food.rows import Food
 from foon_kg.food.techniques import Technique
 from foon_kg.goals.asked import Asked
-from foon_kg.goals.choice import Fit, has_mostly_its_foods, is_truly
+from foon_kg.goals.choice import Fit, has_mostly_its_foods, is_truly, lacking
 from foon_kg.goals.score import missing_core, unexplained
 from foon_kg.integration.joining.course import Plan
 from foon_kg.integration.joining.spots import Join
-from foon_kg.model import DISH_TYPES
+from foon_kg.integration.unheeded import Core
+from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
 from foon_kg.model.errors import UsageError
+from foon_kg.world.becoming import meets
 
 _CLOSE = 0.7
 """From how much likeness on (0 to 1, of letters) a dish type may have been meant by a word that is none."""
+
+
+UNSAID = "whole"
+"""The state that a food is read in where nothing is said of it and nothing known of the food."""
 
 
 def refuse_unknown_type(dish_type: str) -> None:
@@ -85,6 +92,45 @@ def made_as(dish_type: str, title: str, known: Tables) -> str:
         return dish_type
     dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
     return next((name for name in dressed if name in DISH_TYPES), dish_type)
+
+
+def with_core(recipe: Recipe, known: Tables) -> tuple[Recipe, Core | None]:
+    """Return a ``recipe`` with its core understood, and what that was taken for; else as it is, and ``None``.
+
+    Where its foods, as the tables ``known`` have them, lack what its dish cannot be without, the first of those of
+    which nothing is known is that: it is called so, too. What is only for serving is none.
+    """
+    foods = [known.foods.food(one.object, [one.state]) for one in recipe.ingredients]
+    unknown = [place for place, one in enumerate(recipe.ingredients) if _may_be_core(one, foods[place], known)]
+    core = _core(recipe, foods, known) if unknown else None
+    if core is None:
+        return recipe, None
+    food, dish = core
+    own = recipe.ingredients[unknown[0]]
+    told = Core(own.object, food.name, dish, len(unknown))
+    state = food.sold_as if own.state == UNSAID and food.sold_as else own.state
+    listed = list(recipe.ingredients)
+    listed[unknown[0]] = replace(own, object=told.label, state=state)
+    return replace(recipe, ingredients=tuple(listed)), told
+
+
+def _core(recipe: Recipe, foods: Sequence[Food], known: Tables) -> tuple[Food, str] | None:
+    """Return the food that would do for all that the dish of a recipe of ``foods`` lacks, and the dish's name."""
+    dish_type = made_as(recipe.dish_type, recipe.title or "", known)
+    lacks = lacking(foods, dish_type, recipe.title or "", known)
+    food = known.foods.food(known.cores.get(dish_type, ""))
+    return (food, lacks[0][0]) if lacks and all(_is_one_of(needs, food, known) for _, needs in lacks) else None
+
+
+def _is_one_of(needs: Iterable[str], food: Food, known: Tables) -> bool:
+    """Whether a ``food`` is what one of ``needs`` says."""
+    return any(meets(need, food, known) for need in needs)
+
+
+def _may_be_core(one: RequiredIngredient, food: Food, known: Tables) -> bool:
+    """Whether a required food of which the tables say nothing may be what its dish is made of."""
+    is_food = bool(one.object) and known.utensil(one.object) is None
+    return is_food and not food.known and not says([one.part], "is for what is done")
 
 
 def as_told(plan: Plan, asked: Asked, tin: str) -> Plan:

@@ -36,14 +36,14 @@ from foon_kg.integration.methods import Methods, TeachingView
 from foon_kg.integration.preparing.entitled import as_in_a_dish
 from foon_kg.integration.preparing.preparation import Want, as_there
 from foon_kg.integration.preparing.understanding import wants_of
-from foon_kg.integration.unheeded import with_parts_told, with_unheeded
+from foon_kg.integration.unheeded import with_core_told, with_parts_told, with_unheeded
 from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.knowledge import FAIR
 from foon_kg.planning.attempt import Attempt
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.planning.considered import Considered, made_after, nearer_goals, other_goals
-from foon_kg.planning.dish_names import as_told, eased, has_its_name, made_as, refuse_unknown_type
+from foon_kg.planning.dish_names import as_told, eased, has_its_name, made_as, refuse_unknown_type, with_core
 from foon_kg.planning.explanation import Explanation, explanations
 from foon_kg.planning.likes import FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
@@ -189,8 +189,8 @@ class PlannedRecipe:
         self.planner = planner
         self.settings = planner.settings
         self.known = planner.known
-        self.recipe, _ = without_avoided(recipe, self.settings.avoided)
         refuse_unknown_type(recipe.dish_type)
+        self.recipe, self.core = with_core(without_avoided(recipe, self.settings.avoided)[0], self.known)
         title, asked = recipe.title or "", [one for one in self.recipe.ingredients if one.object]
         self.teaching = planner.teaching_for(_names_of(asked, self.known), recipe.dish_type)
         self.methods = self.teaching.methods
@@ -299,7 +299,7 @@ class PlannedRecipe:
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
         tree = with_unheeded(with_parts_told(tree, self.inferred, self.recipe), self.asks, self.wants, self.known)
-        result = self._result(fit, tree, dish_type)
+        result = self._result(fit, with_core_told(tree, self.core), dish_type)
         self._refuse_avoided(result)
         report = check(result.tree, free=self.kitchen.free_foods, named_so=self.kitchen.names_so)
         return Attempt(replace(fit, joins=joins), tree, result, report, self._missing(result), cooking)
