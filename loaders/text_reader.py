@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from itertools import chain
+from itertools import chain, takewhile
 
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark
 from foon_kg.loaders.text_lines import (
@@ -30,6 +30,20 @@ def read_text(text: str, name: str, file: str = "") -> ReadResult:
     A unit that cannot be read is left out and reported; every other unit is kept, in its order. Never raises.
     """
     return TextReader().read(text, name, file)
+
+
+def line_with(text: str, motion_at: int, word: str) -> int:
+    """Return on which line of the unit in ``text`` whose motion stands on line ``motion_at`` there is ``word``.
+
+    It is that of the motion where none of them has the word as it is written, or the text is of another format.
+    """
+    lines = _LINE_END.split(text)
+    if not lines[motion_at - 1 : motion_at] or not lines[motion_at - 1].startswith("M"):
+        return motion_at
+    begin = next((at for at in range(motion_at - 1, -1, -1) if lines[at].startswith("//")), -1) + 1
+    unit = takewhile(lambda line: not line.startswith("//"), lines[begin:])
+    there = re.compile(rf"\b{re.escape(word)}\b", re.IGNORECASE)
+    return next((number for number, line in enumerate(unit, begin + 1) if there.search(line)), motion_at)
 
 
 class TextReader:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from foon_kg.food.unknown import UnknownWord, WordKind, by_one_another, unknown_words
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity
+from foon_kg.loaders.text_reader import line_with
 from foon_kg.model import ObjectNode, kept
 from foon_kg.model.regular_files import read_bytes
 
@@ -25,7 +26,7 @@ Where = tuple[str, int | None]
 """A file, and a line of it where that is known."""
 
 _FOLDER = "files"
-_FORM = "3"
+_FORM = "4"
 """Of what is kept; another one is none."""
 
 _READ_BY = ("food", "model")
@@ -37,7 +38,7 @@ _VARIABLES = ("FOON_KG_FOODS", "FOON_KG_UTENSILS", "FOON_KG_ALIASES")
 class FilesRead:
     """How many ``files`` there are and in how many something is ``bad``; their videos' hashes by name; what is odd.
 
-    ``words`` are those that no table has, each with the first file that has it and the line of its unit there.
+    ``words`` are those that no table has, each with the first file that has it and its line there.
     """
 
     files: int
@@ -162,7 +163,16 @@ def _odd_words(result: ReadResult) -> dict[UnknownWord, Where]:
     for unit, line in zip(units, result.lines, strict=False) if found else ():  # some formats have no lines
         for word in _words_of([unit]):
             lines.setdefault(word, line)
-    return {word: (result.path, lines.get(word)) for word in found}
+    text = _text_of(result.path) if lines else ""
+    return {word: (result.path, line_with(text, lines[word], word.word) if word in lines else None) for word in found}
+
+
+def _text_of(path: str) -> str:
+    """Return the text of a file that was just read; nothing where it is none any more."""
+    try:
+        return read_bytes(Path(path)).decode("utf-8-sig", errors="replace")
+    except OSError:
+        return ""
 
 
 def _words_of(units: Sequence[FunctionalUnit]) -> tuple[UnknownWord, ...]:

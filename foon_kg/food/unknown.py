@@ -21,6 +21,9 @@ from foon_kg.model import ObjectNode
 _NEARLY = 0.85
 """How alike two words are written (difflib's ratio) of which one may be a slip of the other."""
 
+_SLIP_OF_A_MOTION = 0.75
+"""The same for motions: they are few, so that one letter of a short one (poor: pour) is told as well."""
+
 _LONG = 4
 """So many letters a word has at least of which another may be a slip: short words have too many that are like them."""
 
@@ -198,11 +201,12 @@ def _phrase(kind: WordKind, phrase: str, listed: Iterable[str], nothing: str) ->
     there = own.intersection(listed)
     if own != there or not own:
         taken_for = " and ".join(f"“{word}”" for word in sorted(there))
-        yield UnknownWord(kind, phrase, taken_for or nothing, meant=_meant(own - there, listed))
+        near = _SLIP_OF_A_MOTION if kind is WordKind.MOTION and not there else _NEARLY
+        yield UnknownWord(kind, phrase, taken_for or nothing, meant=_meant(own - there, listed, near))
 
 
-def _meant(words: Iterable[str], listed: Iterable[str]) -> str:
-    """Return the listed word that is written most like one of ``words``; ``""`` where none is nearly so."""
+def _meant(words: Iterable[str], listed: Iterable[str], near: float = _NEARLY) -> str:
+    """Return the listed word that is written most like one of ``words``; ``""`` where none is ``near`` (0 to 1)."""
     listed = sorted(listed)
-    close = (difflib.get_close_matches(word, listed, 1, _NEARLY) for word in sorted(words) if len(word) >= _LONG)
+    close = (difflib.get_close_matches(word, listed, 1, near) for word in sorted(words) if len(word) >= _LONG)
     return next((match for found in close for match in found), "")
