@@ -56,9 +56,9 @@ HEAVY = frozenset({"pandas", "pyarrow", "requests", "spacy", "jgo"})
 COMMANDS = (
     Command(("--help",), 48, 40, HEAVY),
     Command(("cypher", "RETURN 1"), 39, 260, HEAVY | {"numpy"}),
-    Command(("stats",), 37, 260, HEAVY | {"numpy"}),
-    Command(("load", "foon", str(DEMO)), 63, 260, HEAVY | {"numpy"}, again=True),
-    Command(("similar", "caper"), 64, 355, HEAVY),
+    Command(("stats",), 38, 260, HEAVY | {"numpy"}),
+    Command(("load", "foon", str(DEMO)), 64, 260, HEAVY | {"numpy"}, again=True),
+    Command(("similar", "caper"), 65, 355, HEAVY),
     Command(("plan", "--dish", "salad", "chopped onion"), 264, 355, HEAVY),
     Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 265, 241, HEAVY | {"neo4j", "psutil"}),
 )

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 from foon_kg.food.unknown import UnknownWord, WordKind, by_one_another, unknown_words
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity
-from foon_kg.loaders.text_reader import line_with
 from foon_kg.model import ObjectNode, kept
+from foon_kg.model.json_text import compact_json
 from foon_kg.model.regular_files import read_bytes
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ def remember(files: Sequence[Path], read: FilesRead) -> None:
         notices = [astuple(notice) for notice in read.notices]
         words = [(astuple(word), where) for word, where in read.words.items()]
         values = (read.files, read.bad, read.units, dict(read.contents), notices, words)
-        kept.keep(_FOLDER, asked, json.dumps(values, ensure_ascii=False, separators=(",", ":")))
+        kept.keep(_FOLDER, asked, compact_json(values))
 
 
 def _asked(files: Sequence[Path]) -> str | None:
@@ -163,8 +163,19 @@ def _odd_words(result: ReadResult) -> dict[UnknownWord, Where]:
     for unit, line in zip(units, result.lines, strict=False) if found else ():  # some formats have no lines
         for word in _words_of([unit]):
             lines.setdefault(word, line)
-    text = _text_of(result.path) if lines else ""
-    return {word: (result.path, line_with(text, lines[word], word.word) if word in lines else None) for word in found}
+    return {word: (result.path, line) for word, line in _where_they_stand(result.path, found, lines).items()}
+
+
+def _where_they_stand(
+    path: str, found: Iterable[UnknownWord], lines: Mapping[UnknownWord, int]
+) -> dict[UnknownWord, int | None]:
+    """Return the lines of the words ``found`` in the file at ``path``: ``lines`` has those of their units."""
+    if not lines:
+        return dict.fromkeys(found)
+    from foon_kg.loaders.text_reader import line_with
+
+    text = _text_of(path)
+    return {word: line_with(text, lines[word], word.word) if word in lines else None for word in found}
 
 
 def _text_of(path: str) -> str:

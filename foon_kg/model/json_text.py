@@ -11,6 +11,12 @@ from typing import Any
 
 _DECODER = json.JSONDecoder()
 
+compact_json = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
+"""Returns a value as JSON without spaces, the same on every machine: what hashes and texts in the graph are made of.
+
+Made once: ``json.dumps`` makes an encoder at each call, and a FOON has a hash for each node and unit.
+"""
+
 
 def json_value(text: str) -> Any:  # noqa: ANN401 - any value of JSON
     """Return the value that ``text`` is in JSON; raises JSONDecodeError where it is none."""

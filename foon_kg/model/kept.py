@@ -16,6 +16,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any
 
+from foon_kg.model.json_text import compact_json
 from foon_kg.model.written_files import write_whole
 
 MOST_FILES = 64
@@ -59,7 +60,7 @@ def kept(folder: str, source: bytes, make: Callable[[], Any]) -> Any:  # noqa: A
     if body is not None:
         return json.loads(body)
     value = make()
-    keep(folder, asked, json.dumps(value, ensure_ascii=False, separators=(",", ":")))
+    keep(folder, asked, compact_json(value))
     return value
 
 

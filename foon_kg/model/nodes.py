@@ -6,11 +6,12 @@ Nothing here reads a file, a clock or a database. Everything is frozen, and equa
 from __future__ import annotations
 
 import hashlib
-import json
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import NamedTuple
+
+from foon_kg.model.json_text import compact_json
 
 DISH_TYPES: tuple[str, ...] = (
     "bread", "soup", "roast", "pizza", "sandwich", "cake", "pie", "sauce", "pudding", "drinks",
@@ -25,11 +26,7 @@ NodeSortKey = tuple[str, tuple[str, ...], tuple[str, ...], str, str]
 
 def content_key(*parts: object) -> str:
     """Return a 32-digit hexadecimal name for ``parts`` (JSON values), the same on every machine and run."""
-    return hashlib.blake2b(_as_text(parts).encode(), digest_size=16).hexdigest()
-
-
-_as_text = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
-"""Made once: ``json.dumps`` makes an encoder at each call, and a FOON has a hash for each node and unit."""
+    return hashlib.blake2b(compact_json(parts).encode(), digest_size=16).hexdigest()
 
 
 def _as_set(names: Iterable[str]) -> tuple[str, ...]:

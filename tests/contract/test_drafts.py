@@ -173,6 +173,12 @@ def test_drafts_are_loaded_once_replaced_and_removed(connection, graph):
     assert (report.inserted, report.replaced, report.unchanged, report.left_out) == (0, 1, 2, 0)
     with graph.reading() as view:
         assert {one.subgraph.name: one.confidence for one in view.lessons()}["draft:s0"] == 0.9
+    barren = replace(SALADS[1], table=TEACHES_NOTHING.table, confidence=0.3)
+    report = load_drafts(connection, [SALADS[1], barren])  # made anew, it teaches no dish any more
+    assert (report.inserted, report.replaced, report.unchanged, report.left_out) == (0, 1, 0, 1)
+    with graph.reading() as view:
+        assert "draft:s1" not in {one.subgraph.name for one in view.lessons()}
+    load_drafts(connection, [SALADS[1]])
     with pytest.raises(UsageError, match="no draft “draft:onions”"):
         remove_drafts(connection, ["draft:s0", "draft:onions"])
     remove_drafts(connection, ["draft:s0", "draft:c1"])

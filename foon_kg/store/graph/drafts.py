@@ -58,7 +58,7 @@ def load_drafts(
 ) -> DraftsStored:
     """Bring the graph of ``connection`` to have ``drafts``; one of a known name is replaced, the same stays as it is.
 
-    Of two of one name the last counts.
+    Of two of one name the last counts. One that teaches no dish any more takes its former version out with it.
 
     ``kitchen`` is the usual one for ``None``. ``stored`` is told of each transaction, with so many drafts
     (``per_transaction``), when it is safe: after a kill, the next load goes on behind it. Raises GraphError when the
@@ -69,11 +69,12 @@ def load_drafts(
     with connection.session(writing=True) as session:
         prepare_for_writing(session, kitchen)
         for batch in _batches(drafts, per_transaction):
-            rows = [(one, row) for one in batch if (row := _row(one, kitchen)) is not None]
-            taught = {one.name: (one, row) for one, row in rows}
-            report = session.execute_write(_write, taught)
-            twice, left_out = len(rows) - len(taught), len(batch) - len(rows)
-            report += DraftsStored(replaced=twice, left_out=left_out)
+            rows = [(one, _row(one, kitchen)) for one in batch]
+            latest = {one.name: (one, row) for one, row in rows}
+            taught = {name: (one, row) for name, (one, row) in latest.items() if row is not None}
+            report = session.execute_write(_write, taught, sorted(latest.keys() - taught.keys()))
+            left_out = sum(row is None for _, row in rows)
+            report += DraftsStored(replaced=len(rows) - left_out - len(taught), left_out=left_out)
             stored(report)
             total += report
     return total
@@ -97,8 +98,13 @@ def check_drafts(connection: Connection, names: Collection[str]) -> None:
 
 
 def _write(
-    transaction: neo4j.ManagedTransaction, taught: dict[str, tuple[DraftedRecipe, dict[str, object]]]
+    transaction: neo4j.ManagedTransaction,
+    taught: dict[str, tuple[DraftedRecipe, dict[str, object]]],
+    barren: Sequence[str],
 ) -> DraftsStored:
+    """Write the drafts that are ``taught``, by name, and take out what the graph had of those that are ``barren``."""
+    if barren:
+        ask(transaction, cypher.FORGET_DRAFTS, names=list(barren))
     names = sorted(taught)
     there = {row.name: row.content for row in ask(transaction, cypher.DRAFT_CONTENTS, names=names)}
     changed = [name for name in names if there.get(name) != taught[name][0].content]

@@ -14,6 +14,7 @@ from foon_kg.integration.joining.outlines import Outline
 from foon_kg.integration.joining.spots import Post, spots_of
 from foon_kg.integration.teaching.frames import Frame, Line, Slot, Stage
 from foon_kg.model import ObjectNode
+from foon_kg.model.json_text import compact_json
 from foon_kg.store.graph.lifting import KIND
 
 _KEPT: dict[str, type] = {kind.__name__: kind for kind in (Frame, Line, ObjectNode, Slot, Stage)}
@@ -23,7 +24,7 @@ _SET = "set"
 
 def text_of(frame: Frame) -> str:
     """Return a text from which :func:`frame_of` makes the same frame."""
-    return json.dumps(_plain(frame), ensure_ascii=False, separators=(",", ":"))
+    return compact_json(_plain(frame))
 
 
 def frame_of(text: str) -> Frame:

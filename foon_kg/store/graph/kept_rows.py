@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from foon_kg.model import kept
+from foon_kg.model.json_text import compact_json
 from foon_kg.store.graph.statements import R, Statement
 
 _FOLDER = "editions"
@@ -31,7 +32,7 @@ class KeptRows:
     def write(self, statement: Statement[R], parameters: Mapping[str, Any], rows: list[R]) -> None:
         """Keep the ``rows`` of ``statement`` with these ``parameters``, whole or not at all."""
         values = [[getattr(row, column) for column in _columns(statement)] for row in rows]
-        body = json.dumps(values, ensure_ascii=False, separators=(",", ":"))
+        body = compact_json(values)
         kept.keep(_FOLDER, self._asked(statement, parameters), body)
 
     def _asked(self, statement: Statement[R], parameters: Mapping[str, Any]) -> str:

@@ -10,6 +10,7 @@ from typing import Any
 
 from foon_kg.integration.teaching.operators import MOST_SIGHTINGS
 from foon_kg.model import FunctionalUnit, Subgraph, sightings_of
+from foon_kg.model.json_text import compact_json
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.frame_rows import Joins, frame_of, slot_foods
 from foon_kg.store.graph.lifting import Lifted, Tally, is_food, lifted, matter_rows
@@ -223,11 +224,7 @@ def _first(sightings: Iterable[KeptSighting]) -> list[str]:
 
 def _written(value: SightingValue) -> KeptSighting:
     """Return a sighting with its text: the values of a ``Sighting`` as JSON."""
-    return value[0], value[1], _as_text(value)
-
-
-_as_text = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
-"""Made once, as there is a text for each sighting."""
+    return value[0], value[1], compact_json(value)
 
 
 def _read(text: str) -> KeptSighting:
