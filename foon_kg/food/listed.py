@@ -18,7 +18,8 @@ class Run:
     ``technique`` has what they need and for which dishes they are. All of them are ``of`` such foods, the first is one
     of ``starts``, the last one of ``ends``, and none of ``apart`` stands next to them. Of each list of ``again`` one is
     listed elsewhere as well; ``beside`` are foods of which each list leaves one for the rest. The last of them may be
-    ``leaves``, and are for the dish itself. It closes the list, or it ``opens`` it; then all else may be for ``rest``.
+    ``leaves``, and are for the dish itself, or for ``rest``. It closes the list, or it ``opens`` it; then all else is
+    for ``rest``, if there is one, but for the last of it that are ``leaves``.
     """
 
     technique: Technique

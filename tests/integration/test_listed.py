@@ -85,6 +85,32 @@ FOUND: dict[tuple[str, str], Parts] = {
         ("dough", "flour, yeast, water, salt"),
         ("topping", "red peppers, onions, tomatoes, salt"),
     ),
+    ("bread", "Plaited loaf"): (
+        ("", "milk, yeast, sugar, salt, eggs, flour, butter"),
+        ("wash", "egg"),
+        ("topping", "almonds, pearl sugar"),
+    ),
+    ("bread", "Loaf on semolina"): (
+        ("", "flour, semolina, salt, yeast, water, oil"),
+        ("dusting", "semolina"),
+    ),
+    ("cake", "Semolina cake"): (
+        ("", "semolina, flour, eggs, sugar, yogurt, baking powder"),
+        ("syrup", "sugar, water"),
+        ("garnish", "pistachios"),
+    ),
+    ("cake", "Honey cake with cream"): (
+        ("", "honey, butter, sugar, eggs, flour, baking soda"),
+        ("cream", "double cream, icing sugar, vanilla extract"),
+    ),
+    ("pudding", "Apples under a sponge"): (
+        ("filling", "apples, demerara sugar, lemon zest, water"),
+        ("", "butter, caster sugar, eggs, self-raising flour, almonds"),
+    ),
+    ("pie", "Cherry cobbler"): (
+        ("filling", "cherries, sugar, cornflour"),
+        ("", "flour, sugar, baking powder, butter, milk"),
+    ),
     ("soup", "Soup with balls of meat"): (
         ("meatballs", "minced pork, onion, egg, flour, salt"),
         ("", "oil, onion, carrots, beef stock, tomatoes"),
@@ -102,6 +128,9 @@ NOT_FOUND = {
     ("casserole", "Hotpot"): "lamb, onions, carrots, lamb stock, potatoes, butter",
     ("noodle", "Noodles"): "noodles, pork, tomatoes, tomato paste, cumin, soy sauce, vinegar, lamb stock, basil",
     ("pizza", "Margherita"): "flour, yeast, water, olive oil, tomatoes, mozzarella, basil",
+    ("bread", "Brioche"): "flour, yeast, milk, sugar, salt, eggs, egg yolk, butter",
+    ("pudding", "Brown betty"): "apples, sugar, cinnamon, breadcrumbs, butter, sugar",
+    ("pudding", "Self-saucing pudding"): "self-raising flour, cocoa, sugar, milk, egg, brown sugar, cocoa, water",
     ("soup", "Pea soup"): "peas, water, ham, onion, carrot, salt",
 }  # fmt: skip
 

@@ -91,3 +91,21 @@ def test_salt_and_oil_of_what_lies_on_a_dough_come_on_it_and_not_into_the_dough(
     assert {"paprika", "sea salt", "olive oil"}.isdisjoint(inside(told, "knead"))
     done = motions(told)
     assert done.index("knead") < first(told, "paprika", "sprinkle") < done.index("bake")
+
+
+def test_fruit_that_is_named_first_with_sugar_lies_under_the_sponge(steps):
+    told = steps(
+        "pudding", "Eve's pudding", "apple:sliced", "demerara sugar:granulated", "lemon:zest", "water:liquid",
+        "butter:softened", "caster sugar:granulated", "egg:beaten", "self-raising flour:powder",
+    )  # fmt: skip
+    assert inside(told, "mix") == {"apple", "demerara sugar", "lemon", "water"}
+    assert {"demerara sugar", "water"}.isdisjoint(inside(told, "fold"))
+    assert inside(told, "blend") == {"butter", "caster sugar"}
+
+
+def test_an_egg_that_is_named_again_at_the_end_of_a_dough_is_brushed_on_under_its_seeds(steps):
+    told = steps(
+        "bread", "", "water:liquid", "yeast:dried", "sugar:granulated", "oil:liquid", "egg:uncooked", "flour:powder",
+        "egg:beaten", "seed:seed",
+    )  # fmt: skip
+    assert motions(told).index("brush") < first(told, "seed", "pour") < motions(told).index("bake")

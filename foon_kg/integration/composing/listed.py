@@ -82,29 +82,31 @@ class _Listed:
         """Take the first run that closes what is left of the list, or ``opens`` it, and return what it makes."""
         for run in self.runs:
             size = self._size(run) if run.opens == opens else 0
-            if not size:
-                continue
-            at = slice(0, size) if opens else slice(len(self.left) - size, len(self.left))
-            found = self.left[at]
-            del self.left[at]
-            if not opens:
-                return [Inferred(run.part, self._for(run, found))]
-            rest = [Inferred(run.rest, self._for(run, self.left))] if run.rest else []
-            return [Inferred(run.part, tuple(place for place, _ in found)), *rest]
+            if size:
+                return [one for one in self._taken(run, size) if one.part and one.places]
         return None
 
-    def _for(self, run: Run, listed: Sequence[tuple[int, Want]]) -> tuple[int, ...]:
-        """Return the places of what is ``listed``, without those at its end of what a run leaves for the dish."""
-        end = len(listed)
+    def _taken(self, run: Run, size: int) -> Iterator[Inferred]:
+        """Take so many foods out of what is left, and yield what they are for, and what others are for then."""
+        at = slice(0, size) if run.opens else slice(len(self.left) - size, len(self.left))
+        found = self.left[at]
+        del self.left[at]
+        own, others = self._for(run, self.left if run.opens else found)
+        yield Inferred(run.part, tuple(place for place, _ in found) if run.opens else own)
+        yield Inferred(run.rest, own if run.opens else others)
+
+    def _for(self, run: Run, listed: Sequence[tuple[int, Want]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        """Return the places of what is ``listed``, and apart from them those at its end that it leaves for others."""
+        places, end = tuple(place for place, _ in listed), len(listed)
         while end > 1 and are(run.leaves, listed[end - 1][1], self.around):
             end -= 1
-        return tuple(place for place, _ in listed[:end])
+        return places[:end], places[end:]
 
     def _size(self, run: Run) -> int:
         """Return how many foods at the end of what is left, or at its beginning, are such a run; 0 for none."""
         wants = [want for _, want in self.left]
         longest = _alike(run, wants if run.opens else wants[::-1], self.around)
-        for size in range(longest, 1, -1):
+        for size in range(longest, 0, -1):
             found, rest = (wants[:size], wants[size:]) if run.opens else (wants[-size:], wants[:-size])
             if rest and self._is(run, found, rest):
                 return size if self._begins_anew(run, found, rest) else 0
@@ -129,11 +131,12 @@ class _Listed:
 
 
 def _alike(run: Run, wants: Sequence[Want], around: Around) -> int:
-    """Return how many of ``wants``, from the first on, a run may be of: none of them is named twice."""
+    """Return how many of ``wants``, from the first on, a run may be of: none is named twice, but zest and juice are."""
     seen: list[str] = []
     for want in wants:
         label = singular(want.label)
-        if label in seen or not are(run.of, want, around):
+        twice = label in (seen[:-1] if want.facts.is_any(word_list("is pressed for its juice")) else seen)
+        if twice or not are(run.of, want, around):
             break
         seen.append(label)
     return len(seen)
