@@ -113,7 +113,7 @@ def _stdout_is_terminal() -> bool:
 
 def _write(answer: Answer, write: Show, say: Say) -> int:
     """Write one answer; return the exit code that it stands for."""
-    from foon_kg.planning.recipes import NO_FOOD, NO_STATE
+    from foon_kg.foon import NO_FOOD, NO_STATE
 
     for note in answer.notes:
         say(f"warning: {note}" if note.startswith((NO_FOOD, NO_STATE)) else note)

@@ -19,7 +19,7 @@ from foon_kg.model.written_files import write_file
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from foon_kg.language.reviewing import Decision, Review
+    from foon_kg.foon import Decision, Review
 
 ASKED = ("motion", "inputs", "outputs", "dish")
 """The cells of a row that are edited, in this order."""
@@ -33,7 +33,7 @@ def review_in_person(path: Path, output: Path | None) -> bool:
     Each decision is in the file at once, so that the next review goes on from there. A draft that is decided is written
     as FOON text to ``output``, beside the draft where that is ``None``.
     """
-    from foon_kg.language.reviewing import Review
+    from foon_kg.foon import Review
 
     session = ReviewSession(path, Review.of(read_table(path), path.stem, str(path)))
     with session.keys.open(), suppress(KeyboardInterrupt):  # pressed while a row is still being shown

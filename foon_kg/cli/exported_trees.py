@@ -8,6 +8,7 @@ from pathlib import Path
 
 from foon_kg.cli.console import Say
 from foon_kg.cli.tree_files import is_retrieved, json_values, text_of
+from foon_kg.foon import RetrievalResult, amount_said
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.loaders import ReadResult, read_json, read_text
 from foon_kg.model import RequiredIngredient
@@ -15,10 +16,8 @@ from foon_kg.model.errors import NoTreeError, ReadError
 from foon_kg.model.json_fields import Fields
 from foon_kg.model.json_text import json_value
 from foon_kg.model.names import canonical
-from foon_kg.planning.recipes import amount_said
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
-from foon_kg.search.classic import RetrievalResult
 
 
 def read_exported_trees(path: Path, say: Say) -> list[ExportedTree]:

@@ -273,8 +273,7 @@ def _questions(
     wanted: Sequence[str] | None, dish_type: str | None, ids: Sequence[str] | None, say: Say
 ) -> list[Question]:
     """Return what is asked: with ``--dish`` ingredients in words, else files where any of ``wanted`` looks like one."""
-    from foon_kg.foon import Question
-    from foon_kg.planning.recipes import recipe_files
+    from foon_kg.foon import Question, recipe_files
 
     if bool(wanted) == bool(ids):
         raise UsageError("say what to plan: ingredients, recipe files or --recipe ID", hint="See foon plan --help.")

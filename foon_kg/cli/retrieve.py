@@ -12,7 +12,7 @@ from foon_kg.cli.kitchen import KitchenFile, kitchen_of
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.search.classic import RetrievalResult
+    from foon_kg.foon import RetrievalResult
 
 EXAMPLES = examples(
     "foon retrieve omelette --state cooked",

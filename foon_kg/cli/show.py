@@ -180,10 +180,10 @@ def _of_text(text: str, path: Path) -> ShownTree:
 
 def _of_json(value: object, where: str) -> ShownTree:
     from foon_kg.cli.tree_files import is_retrieved
+    from foon_kg.foon import RetrievalResult
     from foon_kg.formats.views.shown_tree import ShownTree
     from foon_kg.model.json_fields import Fields
     from foon_kg.plans.result import PlanResult
-    from foon_kg.search.classic import RetrievalResult
 
     if isinstance(value, dict) and "error" in value:
         error = Fields(value, where).nested("error")

@@ -78,7 +78,7 @@ def _tell_spelling(name: str, say: Say) -> None:
 
     if any(map(tables().foods.is_listed, name.lower().split())):
         return
-    from foon_kg.planning.recipes import NO_FOOD, as_spelled
+    from foon_kg.foon import NO_FOOD, as_spelled
 
     meant = as_spelled(name)
     if meant is not None and meant != name.lower():

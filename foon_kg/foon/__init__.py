@@ -26,6 +26,9 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.foon.plan import Plan as Plan
     from foon_kg.foon.plan import Step as Step
+    from foon_kg.language.reviewing import Decision as Decision
+    from foon_kg.language.reviewing import Kind as Kind
+    from foon_kg.language.reviewing import Review as Review
     from foon_kg.model import KnownUnit
     from foon_kg.model.knowledge import Neighbour
     from foon_kg.planning.batch import Answer as Answer
@@ -35,14 +38,19 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.planning.explanation import Joining as Joining
     from foon_kg.planning.explanation import PassedOver as PassedOver
     from foon_kg.planning.kitchen_file import ReadKitchen as ReadKitchen
-    from foon_kg.planning.recipes import IngredientWords
+    from foon_kg.planning.recipes import NO_FOOD as NO_FOOD
+    from foon_kg.planning.recipes import NO_STATE as NO_STATE
+    from foon_kg.planning.recipes import IngredientWords as IngredientWords
+    from foon_kg.planning.recipes import amount_said as amount_said
+    from foon_kg.planning.recipes import as_spelled as as_spelled
+    from foon_kg.planning.recipes import recipe_files as recipe_files
     from foon_kg.planning.settings import PlanSettings as PlanSettings
     from foon_kg.planning.settings import Substitute as Substitute
     from foon_kg.planning.suggestion import Suggestion, Suggestions
     from foon_kg.plans.kitchen import Kitchen
     from foon_kg.plans.result import PlanResult
     from foon_kg.plans.stock import StockedKitchen
-    from foon_kg.search.classic import RetrievalResult
+    from foon_kg.search.classic import RetrievalResult as RetrievalResult
     from foon_kg.store.doctor import Finding
     from foon_kg.store.graph import GraphView
     from foon_kg.store.settings import ConnectionSettings as ConnectionSettings
@@ -53,17 +61,27 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
 _HOMES = {
     "Answer": "foon_kg.planning.batch",
     "ConnectionSettings": "foon_kg.store.settings",
+    "Decision": "foon_kg.language.reviewing",
     "Explanation": "foon_kg.planning.explanation",
+    "IngredientWords": "foon_kg.planning.recipes",
     "Joining": "foon_kg.planning.explanation",
+    "Kind": "foon_kg.language.reviewing",
+    "NO_FOOD": "foon_kg.planning.recipes",
+    "NO_STATE": "foon_kg.planning.recipes",
     "PassedOver": "foon_kg.planning.explanation",
     "Plan": "foon_kg.foon.plan",
     "PlanSettings": "foon_kg.planning.settings",
     "Question": "foon_kg.planning.batch",
     "ReadKitchen": "foon_kg.planning.kitchen_file",
+    "RetrievalResult": "foon_kg.search.classic",
+    "Review": "foon_kg.language.reviewing",
     "Snapshot": "foon_kg.store.snapshot",
     "Step": "foon_kg.foon.plan",
     "Substitute": "foon_kg.planning.settings",
     "WithDrafts": "foon_kg.store.with_drafts",
+    "amount_said": "foon_kg.planning.recipes",
+    "as_spelled": "foon_kg.planning.recipes",
+    "recipe_files": "foon_kg.planning.recipes",
 }
 """Where what a FOON is asked with, and what it answers with, is defined; a checker of types reads it from above."""
 

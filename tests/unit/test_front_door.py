@@ -23,10 +23,8 @@ VALUES = {
 
 ALLOWED = {
     "planning.batch": {"cores"},
-    "planning.recipes": None,  # files and lines of recipes as questions
     "planning.processes": None,  # how processes begin and end: nothing of a FOON
     "store.vocabulary": {"states_made"},
-    "search.classic": {"RetrievalResult"},  # what Foon.retrieve returns: its file is read back
     "store.graph.free_cypher": {"Answer"},  # what Foon.cypher returns
     "validation": None,  # the judge: it knows nothing of planning, and is asked of trees of anybody
 }
@@ -38,11 +36,9 @@ ROOMS_OF_THEIR_OWN = {
     "cli.draft": (  # Foon.drafts makes them: here are their files, what people decide of them, and recipes as texts
         "language.drafting.tables",
         "language.drafting.review",
-        "language.reviewing",
         "language.recipe_text",
     ),
     "cli.load": "language.drafting.tables",
-    "web.teach": "language.reviewing",
     "web.plan_answer": "language.plain_lines",
 }
 """Which modules at the door (all that begin so) have a room besides, or several."""

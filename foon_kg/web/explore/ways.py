@@ -7,9 +7,9 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from foon_kg.foon import IngredientWords
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.model.names import canonical
-from foon_kg.planning.recipes import IngredientWords
 from foon_kg.web.explore.network import NO_FILTERS, Filters, Network, grouped
 from foon_kg.web.questions import UnknownError
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fastapi import APIRouter
 
-from foon_kg.language.reviewing import Review
+from foon_kg.foon import Review
 from foon_kg.loaders.text_writer import write_text
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.web.teach.asking import DecisionAsked, ReviewAsked, TableAsked

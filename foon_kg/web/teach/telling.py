@@ -6,8 +6,8 @@ from typing import Self
 
 from pydantic import BaseModel
 
+from foon_kg.foon import Decision, Kind, Review
 from foon_kg.formats.exports.sentences import sentence
-from foon_kg.language.reviewing import Decision, Kind, Review
 from foon_kg.plans.kitchen import Kitchen
 
 
