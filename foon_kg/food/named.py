@@ -9,7 +9,7 @@ from typing import Any
 
 from foon_kg.food.rows import Food, Motion
 from foon_kg.food.shipped import shipped
-from foon_kg.food.techniques import Around, Foods
+from foon_kg.food.techniques import Around, Foods, all_names
 from foon_kg.food.words import any_stands_in, stands_in, words
 
 _FIELDS = ("when", "stage", "at")
@@ -85,14 +85,12 @@ def _rows() -> tuple[Named, ...]:
 
 
 def _named(name: str, row: Mapping[str, Any]) -> Named:
-    def phrases(field: str) -> tuple[tuple[str, ...], ...]:
-        return tuple(tuple(words(text)) for text in row.get(field, ()))
-
     def foods(field: str) -> tuple[Foods, ...]:
         return tuple(map(Foods.read, row.get(field, ())))
 
     return Named(
-        name, phrases("called"), phrases("never"), frozenset(row.get("types", ())), foods("without"), foods("of"),
+        name, all_names(row, "called"), all_names(row, "never"), frozenset(row.get("types", ())),
+        foods("without"), foods("of"),
         frozenset(word for text in row.get("by", ()) for word in words(text)), frozenset(row.get("does", ())),
         foods("fills"), row.get("times", 1), **{field: row[field] for field in _FIELDS if field in row},
     )  # fmt: skip

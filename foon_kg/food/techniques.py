@@ -259,7 +259,7 @@ def _by_first_words() -> tuple[Mapping[str, list[int]], Mapping[str, list[int]],
     by_type: defaultdict[str, list[int]] = defaultdict(list)
     nameless = []
     for place, (_, row) in enumerate(_technique_rows()):
-        called = _all_names(row, "called")
+        called = all_names(row, "called")
         for word in {name[0] for name in called}:
             by_word[word].append(place)
         unnamed = () if called else row.get("types", ())
@@ -365,8 +365,8 @@ def technique_of(name: str, row: Mapping[str, Any]) -> Technique:
     """Return the technique that a ``row`` of a table, called ``name``, says."""
     return Technique(
         name,
-        _all_names(row, "called"),
-        _all_names(row, "never"),
+        all_names(row, "called"),
+        all_names(row, "never"),
         frozenset(row.get("types", ())),
         tuple(tuple(map(Foods.read, need)) for need in row.get("needs", ())),
         tuple(map(Foods.read, row.get("without", ()))),
@@ -379,7 +379,8 @@ def technique_of(name: str, row: Mapping[str, Any]) -> Technique:
     )
 
 
-def _all_names(row: Mapping[str, Any], field: str) -> tuple[tuple[str, ...], ...]:
+def all_names(row: Mapping[str, Any], field: str) -> tuple[tuple[str, ...], ...]:
+    """Return the names in a ``field`` of a ``row`` as their words: "@list" stands for all of a list."""
     return tuple(name for one in row.get(field, ()) for name in _names(one))
 
 

@@ -51,3 +51,12 @@ def test_a_row_names_only_what_the_tables_know(name):
 )
 def test_a_title_asks_for_what_its_words_say(title, dish_type, foods, said):
     assert asked(title, dish_type, *foods) == said
+
+
+@pytest.mark.parametrize(
+    ("title", "to_be"),
+    [("Char siu bao", True), ("Rava idli", True), ("Baked siopao", False), ("Chicken momos", False)],
+)
+def test_dishes_of_a_family_are_asked_to_be_steamed(title, to_be):
+    found = named_by(title, "bread", [("flour", FOODS.food("flour"))])
+    assert any("steam" in one.by for one, _ in found) is to_be

@@ -5,7 +5,8 @@
 * before the lines ``readying`` (cut and opened), ``precooking`` (what is cooked by itself, and how) and ``alone``,
   which does that;
 * at a stage ``stages`` (what it would change), ``placing`` (in which vessel, on which appliance; by ``utensils`` and
-  ``bakeware``), ``adding`` (what joins comes) and ``doing`` (what the stage does), or ``dipping`` and ``stacking``;
+  ``bakeware``), ``adding`` (what joins comes) and ``doing`` (what the stage does), or ``dipping``, ``steaming`` and
+  ``stacking``;
 * at the end ``serving``. Several of these are ``hands``: they share what they carry and work with.
 
 What hands do is in few places: ``carrying`` brings foods from place to place (``bringing`` decides in which way, by
