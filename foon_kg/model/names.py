@@ -20,7 +20,7 @@ from foon_kg.model.regular_files import read_text
 
 ALIASES_VARIABLE = "FOON_KG_ALIASES"
 
-_OF_THEIR_OWN = str.maketrans({"\u0131": "i", "ł": "l", "ø": "o", "đ": "d", "æ": "ae", "œ": "oe"})
+_OF_THEIR_OWN = str.maketrans({"\u0131": "i", "ł": "l", "ø": "o", "đ": "d", "æ": "ae", "œ": "oe", "ß": "ss"})
 """Letters that Unicode does not take for others with a sign on them."""
 _APOSTROPHES = str.maketrans({"\u2019": "'", "\u2018": "'", "`": "'", "_": " "})
 _TIDY = re.compile(r"[^\w&'%/\- ]+")

@@ -115,11 +115,16 @@ def with_core(recipe: Recipe, known: Tables) -> tuple[Recipe, Core | None]:
 
 
 def _core(recipe: Recipe, foods: Sequence[Food], known: Tables) -> tuple[Food, str] | None:
-    """Return the food that would do for all that the dish of a recipe of ``foods`` lacks, and the dish's name."""
+    """Return the food that would do for all that the dish of a recipe of ``foods`` lacks, and the dish's name.
+
+    None does where one of the foods is of its kind: a dish of pork lacks pork where there is lamb, and no other meat.
+    """
     dish_type = made_as(recipe.dish_type, recipe.title or "", known)
     lacks = lacking(foods, dish_type, recipe.title or "", known)
     food = known.foods.food(known.cores.get(dish_type, ""))
-    return (food, lacks[0][0]) if lacks and all(_is_one_of(needs, food, known) for _, needs in lacks) else None
+    there = any(one.known and one.is_of(food.kind) for one in foods)
+    does = lacks and not there and all(_is_one_of(needs, food, known) for _, needs in lacks)
+    return (food, lacks[0][0]) if does else None
 
 
 def _is_one_of(needs: Iterable[str], food: Food, known: Tables) -> bool:

@@ -52,6 +52,12 @@ def test_a_dish_of_known_foods_without_its_core_is_refused_still(public_plans):
         public_plans("steak", "Steak", *REST)
 
 
+@pytest.mark.shared_data
+def test_an_unknown_food_beside_other_meat_is_no_pork(public_plans):
+    with pytest.raises(NoTreeError, match="no pork without"):
+        public_plans("pork", "Pork", "zorbik:chopped", "lamb:raw", *REST)
+
+
 @pytest.mark.parametrize("dish_type", tables().cores)
 def test_what_an_unknown_food_is_taken_for_is_what_the_dish_needs(dish_type):
     known = tables()
