@@ -109,6 +109,8 @@ def _settle(out: Outcome, lump: Lump, place: int) -> None:
     if where is not lump.where:
         out.leave_rest(lump)
         out.supply.put(lump, where)
+    if out.played_step.does(*JOINS) and one.names and out.mentions[place].thing is not None:
+        lump.number = out.mentions[place].thing  # noodles that become a dish of noodles are numbered anew
     out.supply.keep(lump, lump.where)
     if out.played_step.does(*JOINS) and _gathers(out, one, lump):
         _join_all(out, lump)

@@ -256,3 +256,10 @@ def test_soaked_chillies_of_harissa_are_ground_with_the_rest(steps):
                  "lemon juice:juice")  # fmt: skip
     assert {"dried chillies", "garlic", "olive oil"} <= inside(told, "blend")
     assert "cook" not in motions(told)
+
+
+@pytest.mark.parametrize("title", ["Sesame noodles", "Dan dan noodles"])
+def test_noodles_that_become_a_dish_of_noodles_are_the_boiled_ones(steps, title):
+    told = steps("noodle", title, "noodles:uncooked", "minced pork:raw", "soy sauce:liquid", "sesame paste:creamy",
+                 "scallions:chopped")  # fmt: skip
+    assert first(told, "noodles", "boil") < first(told, "noodles", "mix")
