@@ -267,18 +267,13 @@ class Foon(Evaluating):
         >>> foon.kitchen(foods=["chopped onion"]).kitchen.foods_named[0].states
         ('chopped',)
         """
-        from foon_kg.planning.kitchen_file import Entry, ReadKitchen, ThingReader, read_kitchen
-        from foon_kg.plans.kitchen import Kitchen
-        from foon_kg.plans.stock import StockedKitchen
+        from foon_kg.planning.kitchen_file import Entry, kitchen_with, read_kitchen
 
         texts = tuple(foods)
-        words = self._words_for(texts) if file is None else self.words()
-        everything = ReadKitchen(StockedKitchen.of(Kitchen.default(), ()), ())
-        read = everything if file is None else read_kitchen(Path(file), words)
-        reader = ThingReader(words)
-        beside = [reader.read(Entry(f"“{text}”", text)) for text in texts]
-        notes = (note for _, said in beside for note in said)
-        return ReadKitchen(read.kitchen.with_things([thing for thing, _ in beside]), (*read.notes, *notes))
+        entries = [Entry(f"“{text}”", text) for text in texts]
+        if file is None:
+            return kitchen_with(entries, self._words_for(texts))
+        return read_kitchen(Path(file), self.words(), entries)
 
     def _words_for(self, texts: Sequence[str]) -> IngredientWords:
         """Return the words in which ``texts`` are read: of a very large FOON no others."""

@@ -62,8 +62,8 @@ class ReadKitchen:
     notes: tuple[str, ...]
 
 
-def read_kitchen(path: Path, words: IngredientWords) -> ReadKitchen:
-    """Return the kitchen of a file at ``path`` that names things at hand.
+def read_kitchen(path: Path, words: IngredientWords, more: Sequence[Entry] = ()) -> ReadKitchen:
+    """Return the kitchen of a file at ``path`` that names things at hand; ``more`` are there beside these.
 
     ``words`` are the FOON's, and the kitchen in which all that is not named stands. Raises
     :class:`~foon_kg.model.errors.ReadError` with the file and the line (in JSON the field) that cannot be read, and for
@@ -76,7 +76,7 @@ def read_kitchen(path: Path, words: IngredientWords) -> ReadKitchen:
         raise ReadError(f"{path}: it names more than {MOST_THINGS} things", hint="Name what one kitchen has.")
     if not entries:
         raise ReadError(f"{path}: it names nothing", hint=_HINT)
-    return kitchen_with(entries, words)
+    return kitchen_with([*entries, *more], words)
 
 
 def kitchen_with(entries: Sequence[Entry], words: IngredientWords) -> ReadKitchen:

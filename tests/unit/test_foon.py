@@ -175,6 +175,15 @@ def test_a_kitchen_says_what_had_to_be_decided_to_read_it(door, tmp_path):
     assert door.suggestions(read.kitchen, 1).found == door.suggestions(read.kitchen, 5).found[:1]
 
 
+def test_what_is_named_beside_a_file_says_numbers_and_contents_as_a_file_does(door, tmp_path):
+    (tmp_path / "kitchen.txt").write_text("spoon\n")
+    for file in (None, tmp_path / "kitchen.txt"):
+        named = door.kitchen(file, ["2 cutting boards", "bowl {beaten egg}"])
+        assert (named.kitchen.numbers, named.notes) == ({"cutting board": 2}, ())
+        assert [str(food) for food in named.kitchen.inside] == ["egg (beaten; in bowl)"]
+    assert door.kitchen().kitchen.utensils_named is None
+
+
 def test_what_needs_a_graph_says_so(door, tmp_path):
     asks = (
         lambda: door.cypher("RETURN 1"),
