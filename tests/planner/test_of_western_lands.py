@@ -316,3 +316,37 @@ def test_roots_that_are_asked_fried_beside_a_dish_are_fried(steps):
                  "plantains:fried:serving")  # fmt: skip
     assert not any("plantains" in inputs and motion == "boil" for inputs, motion, _ in told)
     assert any("plantains" in inputs and motion == "flip" for inputs, motion, _ in told)
+
+
+def test_an_open_sandwich_stays_open(steps):
+    told = steps("sandwich", "Smørrebrød", "rye bread:loaf", "butter:softened", "roast beef:sliced",
+                 "remoulade:creamy", "cress:leaves")  # fmt: skip
+    assert "fold" not in motions(told)
+    assert sum("rye bread" in inputs and motion == "pick-and-place" for inputs, motion, _ in told) == 1
+
+
+def test_a_hot_sauce_comes_over_a_closed_sandwich(steps):
+    told = steps("sandwich", "Francesinha", "white bread:loaf", "beef steaks:raw", "ham:cooked", "cheese:block",
+                 "onion:chopped:sauce", "beer:liquid:sauce", "tomato purée:sauce:sauce",
+                 "butter:unmelted:sauce")  # fmt: skip
+    closed = motions(told).index("fold")
+    assert "beer" not in {food for _, _, outputs in told[: closed + 1] for node in outputs for food in node.ingredients}
+    assert "beef steaks" in {food for node in told[closed][2] for food in node.ingredients}
+
+
+def test_balls_of_meat_are_shaped_for_a_broth_that_eggs_bind(steps):
+    told = steps("soup", "Youvarlakia Avgolemono", "minced beef:raw", "rice:uncooked", "onion:grated",
+                 "chicken stock:liquid", "eggs:raw", "lemon juice:juice")  # fmt: skip
+    assert inside(told, "whisk") == {"eggs", "lemon juice"}
+    assert motions(told).index("shape") < motions(told).index("simmer")
+
+
+def test_dough_around_a_sweet_paste_is_rolled_and_cut_first(steps):
+    told = steps("cookie", "Cuccidati", "flour:powder:dough", "sugar:granulated:dough", "shortening:creamy:dough",
+                 "eggs:raw:dough", "dried figs:chopped:filling", "walnuts:chopped:filling")  # fmt: skip
+    assert motions(told).index("roll") < motions(told).index("fold and pinch")
+
+
+def test_a_salsa_of_bolivia_is_ground(steps):
+    told = steps("sauce", "Llajwa", "tomatoes:quartered", "locoto chillies:seeded", "parsley:leaf", "salt:granulated")
+    assert inside(told, "blend") >= {"tomatoes", "locoto chillies"}
