@@ -116,9 +116,7 @@ def export(
     things: export a plan's JSON for a behaviour tree with conditions, and for PDDL in which things are used up.
     """  # noqa: D301 - click wants the character itself before lines that it must not join
     say = sayer(quiet=quiet)
-    if as_json and form not in {None, "json"}:
-        raise UsageError(f"--json and --format {form} ask for two forms", hint="Leave one of them out.")
-    form = _chosen("json" if as_json else form, output)
+    form = _chosen(_one_form(form, as_json=as_json), output)
     _refuse_idle(form, recipe, weights, after_step)
     if tree is not None:
         _refuse({"--goal": goal, "--kitchen": kitchen, "--files": files}, "task trees")
@@ -131,8 +129,20 @@ def export(
         written = _whole(form, weights, files, say)
     _write(written, output)
     if form == "csv" and output is not None:
-        say(f"In {output}: neo4j-admin database import full neo4j @import.txt, start Neo4j, then")
-        say("foon cypher --write - < after.cypher, then foon load foon with any of the files, for the constraints.")
+        _tell_import(output, say)
+
+
+def _one_form(form: str | None, *, as_json: bool) -> str | None:
+    """Return the form that is asked by its name or by ``--json``; raises UsageError where these are two."""
+    if as_json and form not in {None, "json"}:
+        raise UsageError(f"--json and --format {form} ask for two forms", hint="Leave one of them out.")
+    return "json" if as_json else form
+
+
+def _tell_import(folder: Path, say: Say) -> None:
+    """Say how the files in a ``folder`` come into a Neo4j."""
+    say(f"In {folder}: neo4j-admin database import full neo4j @import.txt, start Neo4j, then")
+    say("foon cypher --write - < after.cypher, then foon load foon with any of the files, for the constraints.")
 
 
 def _refuse_idle(form: str, recipe: Path | None, weights: Path | None, after_step: int | None) -> None:

@@ -175,18 +175,11 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
 
     forms = {"--explain": explain, "--enumerate": enumerate_all, "--json": as_json, "--foon": foon}
     wishes = {"--kitchen": kitchen, "--with-drafts": with_drafts, "--substitute": substitute, "--avoid": avoid}
-    asked = forms | wishes | {"--after": after, "--output": output, "--recipes": recipes is not None}
-    _one_form(asked)
-    if method == "paper":
-        _ours_only(asked)
+    _refuse(forms | wishes | {"--after": after, "--output": output, "--recipes": recipes is not None}, method)
     say = sayer(quiet=quiet)
+    chosen, avoided = tuple(map(_substitute, substitute or ())), tuple(avoid or ())
     settings = PlanSettings(
-        substitutes=tuple(map(_substitute, substitute or ())),
-        avoided=tuple(avoid or ()),
-        after=after,
-        explain=explain,
-        method=method,
-        with_drafts=with_drafts,
+        substitutes=chosen, avoided=avoided, after=after, explain=explain, method=method, with_drafts=with_drafts
     )
     if recipes is not None:
         _alone(wanted, recipe, dish, title)
@@ -244,6 +237,13 @@ def _shown_as(*, foon: bool, as_json: bool) -> Show:
     from foon_kg.cli.answering import show_line, show_text, show_view
 
     return show_text if foon else show_line if as_json else show_view
+
+
+def _refuse(asked: Mapping[str, object], method: str) -> None:
+    """Refuse options that exclude one another, and those that mean nothing for a ``method``."""
+    _one_form(asked)
+    if method == "paper":
+        _ours_only(asked)
 
 
 def _one_form(asked: Mapping[str, object]) -> None:
