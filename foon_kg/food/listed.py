@@ -19,7 +19,7 @@ class Run:
     of ``starts``, the last one of ``ends``, and none of ``apart`` stands next to them. Of each list of ``again`` one is
     listed elsewhere as well; ``beside`` are foods of which each list leaves one for the rest. The last of them may be
     ``leaves``, and are for the dish itself, or for ``rest``. It closes the list, or it ``opens`` it; then all else is
-    for ``rest``, if there is one, but for the last of it that are ``leaves``.
+    for ``rest``, if there is one, but for the last of it that are ``leaves``. ``headed``: it opens lists with headings.
     """
 
     technique: Technique
@@ -33,6 +33,7 @@ class Run:
     again: tuple[tuple[Foods, ...], ...]
     leaves: tuple[Foods, ...]
     opens: bool
+    headed: bool
     rest: str
 
 
@@ -55,6 +56,7 @@ def _run(name: str, row: Mapping[str, Any]) -> Run:
         tuple(map(_foods, row.get("again", ()))),
         _foods(row.get("leaves", ())),
         row.get("opens", False),
+        row.get("headed", False),
         row.get("rest", ""),
     )
 

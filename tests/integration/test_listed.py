@@ -5,6 +5,8 @@ Each list here is written with its parts, which are dropped: what is found must 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -111,6 +113,10 @@ FOUND: dict[tuple[str, str], Parts] = {
         ("filling", "cherries, sugar, cornflour"),
         ("", "flour, sugar, baking powder, butter, milk"),
     ),
+    ("stir-fry", "Tender pork"): (
+        ("marinade", "pork fillet, baking soda, soy sauce, cornflour"),
+        ("", "oil, ginger, spring onions, oyster sauce"),
+    ),
     ("soup", "Soup with balls of meat"): (
         ("meatballs", "minced pork, onion, egg, flour, salt"),
         ("", "oil, onion, carrots, beef stock, tomatoes"),
@@ -164,6 +170,13 @@ def test_no_part_is_found_where_the_list_tells_of_none(dish, foods):
 def test_what_a_list_with_headings_says_is_left_alone():
     foods = (*wants("eggs", "sugar", "semolina", part="cake"), *wants("sugar", "water"))
     assert parts_inferred(foods, Recipe("cake", (), "x", "Revani")) == ()
+
+
+def test_what_makes_flesh_tender_is_found_above_the_first_heading():
+    foods = ["chicken", "baking soda", "oil", "onion", "soy sauce", "cornflour"]
+    listed = [replace(want, part="sauce" if want.label in {"soy sauce", "cornflour"} else "") for want in wants(*foods)]
+    (one,) = parts_inferred(listed, Recipe("stir-fry", (), "x", "Chop suey"))
+    assert one == Inferred("marinade", (0, 1))
 
 
 def test_what_is_said_of_one_food_is_no_heading():

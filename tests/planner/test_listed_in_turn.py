@@ -109,3 +109,13 @@ def test_an_egg_that_is_named_again_at_the_end_of_a_dough_is_brushed_on_under_it
         "egg:beaten", "seed:seed",
     )  # fmt: skip
     assert motions(told).index("brush") < first(told, "seed", "pour") < motions(told).index("bake")
+
+
+def test_soda_that_is_named_behind_raw_flesh_is_mixed_with_that_and_not_with_the_sauce(steps):
+    told = steps(
+        "stir-fry", "Chop suey", "chicken breast:sliced", "baking soda:powder", "oil:liquid", "onion:sliced",
+        "soy sauce:liquid:sauce", "cornflour:powder:sauce", "chicken stock:liquid:sauce",
+    )  # fmt: skip
+    made = [{*out.ingredients} for _, motion, outputs in told if motion in {"mix", "stir"} for out in outputs]
+    assert {"baking soda", "chicken breast"} in made
+    assert first(told, "baking soda", "pour") < motions(told).index("cook and stir")

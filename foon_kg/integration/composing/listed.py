@@ -7,6 +7,7 @@ syrup, a sauce or a dough is made of, and that begins with what was named before
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from operator import itemgetter
@@ -41,11 +42,13 @@ def as_listed(
 
 
 def parts_inferred(wants: Sequence[Want], recipe: Recipe) -> tuple[Inferred, ...]:
-    """Return the parts of a recipe without headings, in the order of its list; ``wants`` are its foods."""
+    """Return the parts that a recipe does not name; ``wants`` are its foods, in the order of its list."""
     listed = sorted(((place, want) for want in wants for place in want.places), key=itemgetter(0))
-    if any(want.part and want.part not in word_list("is said in a list without headings") for want in wants):
-        return ()
-    return tuple(_Listed(listed, recipe).parts())
+    return tuple(_Listed(listed, recipe, headed=any(_is_below_a_heading(want) for want in wants)).parts())
+
+
+def _is_below_a_heading(want: Want) -> bool:
+    return bool(want.part) and want.part not in word_list("is said in a list without headings")
 
 
 def with_parts_said(recipe: Recipe, inferred: Sequence[Inferred]) -> Recipe:
@@ -62,13 +65,13 @@ def with_parts_said(recipe: Recipe, inferred: Sequence[Inferred]) -> Recipe:
 class _Listed:
     """The foods of one recipe in the order of its list, of which those of each part are taken out."""
 
-    def __init__(self, listed: Sequence[tuple[int, Want]], recipe: Recipe) -> None:
+    def __init__(self, listed: Sequence[tuple[int, Want]], recipe: Recipe, *, headed: bool) -> None:
         self.dish_type = recipe.dish_type or ""
         self.title_words = words(recipe.title or "")
         self.all = [want for _, want in listed]
         self.around = Around([want.facts for want in self.all], self.title_words)
-        self.left = [(place, want) for place, want in listed if not want.part]
-        self.runs = [run for run in runs() if run.technique.is_called(self.dish_type, self.title_words)]
+        self.left = [one for one in _above_headings(listed) if not one[1].part]
+        self.runs = list(_runs_for(self.dish_type, self.title_words, headed=headed))
 
     def parts(self) -> Iterator[Inferred]:
         """Yield what closes the list, the last first, and then what opens it."""
@@ -128,6 +131,17 @@ class _Listed:
         if are(run.apart, rest[0] if run.opens else rest[-1], self.around):
             return False
         return have(run.again, found, self.around) and have(run.again, rest, self.around)
+
+
+def _above_headings(listed: Sequence[tuple[int, Want]]) -> Iterator[tuple[int, Want]]:
+    return itertools.takewhile(lambda one: not _is_below_a_heading(one[1]), listed)
+
+
+def _runs_for(dish_type: str, title_words: Sequence[str], *, headed: bool) -> Iterator[Run]:
+    """Yield the runs that such a dish may have, in the order of the table; where its list is ``headed``, few."""
+    for run in runs():
+        if (run.headed or not headed) and run.technique.is_called(dish_type, title_words):
+            yield run
 
 
 def _alike(run: Run, wants: Sequence[Want], around: Around) -> int:
