@@ -218,3 +218,11 @@ def test_all_that_is_raw_is_in_the_steam(public_plans, dish_type, title, foods):
 def test_dumplings_that_are_fried_are_steamed_before(steps):
     told = motions(steps("bread", "Gyoza", "gyoza wrappers:raw", "ground pork:raw", "vegetable oil:liquid"))
     assert told.index("steam") < len(told) - told[::-1].index("cook") - 1
+
+
+def test_what_is_asked_steamed_is_steamed_before_it_is_mixed_into_a_batter(steps):
+    told = steps(
+        "bread", "", "flour:powder", "pumpkin:steamed", "sugar:granulated", "egg:uncooked", "butter:melted",
+        "baking powder:powder",
+    )  # fmt: skip
+    assert first(told, "pumpkin", "steam") < first(told, "pumpkin", "mix")

@@ -215,6 +215,8 @@ class Precooking:
             return False  # it would be raw when the dough is done
         if want.make in word_list("is so by dry heat") and join.spot.stage.does & MIXES:
             return False  # nothing gets brown inside what is wet
+        if want.make in word_list("is so by steam") and join.spot.stage.does & MIXES and not join.spot.stage.heats:
+            return False  # it would be as hard as it was when it is mixed
         return self._cooks_there(join, due) and not _is_toasted(join)
 
     def _cooks_there(self, join: Join, due: Collection[str]) -> bool:
