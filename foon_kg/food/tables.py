@@ -32,6 +32,7 @@ _MOST_NAMED = 4096
 
 _QUOTED = re.compile(r'["\u201c\u2018][^"\u201d\u2019]+["\u201d\u2019]')
 _FOR = re.compile(r"\s+for\s+", re.IGNORECASE)
+_IN_BRACKETS = re.compile(r"\([^()]*\)")
 
 
 class Tables:
@@ -183,14 +184,26 @@ class Tables:
         found: dict[str, Dish] = {}
         for text in texts:
             # “tuna” in quotes is none, nor a sauce for steak, and what has no eggs is not called after them
-            own = _without(words(_QUOTED.sub(" ", _FOR.split(text)[0] or text)))
-            for start, end in _spans(own):
-                name = " ".join(own[start:end])
-                # a part of a word counts, too: the type cake says nothing beside the title cheesecake
-                if name in self.dishes and not any(name in other for other in found):
-                    found[name] = self._dish_called(name, own, start, texts)
+            plain = _QUOTED.sub(" ", _FOR.split(text)[0] or text)
+            # what stands in brackets explains a name (arepas, corn cakes): it counts only beside one that nobody knows
+            shown = _IN_BRACKETS.sub(" ", plain)
+            if not self._add_named(found, shown, texts) and shown != plain:
+                self._add_named(found, plain, texts)
         no = frozenset().union(*(dish.is_no for dish in found.values()))
         return tuple(dish for name, dish in found.items() if name not in no)
+
+    def _add_named(self, found: dict[str, Dish], text: str, types: Collection[str]) -> bool:
+        """Add to the dishes ``found`` those that stand in a text, and return whether any does; see `_dish_called`."""
+        own, named = _without(words(text)), False
+        for start, end in _spans(own):
+            name = " ".join(own[start:end])
+            if name not in self.dishes:
+                continue
+            named = True
+            # a part of a word counts, too: the type cake says nothing beside the title cheesecake
+            if not any(name in other for other in found):
+                found[name] = self._dish_called(name, own, start, types)
+        return named
 
     def _dish_called(self, name: str, own: Sequence[str], start: int, types: Collection[str]) -> Dish:
         """Return the dish whose ``name`` begins at ``start`` in a title, without its needs where it is only a modifier.

@@ -356,3 +356,15 @@ def test_a_dish_is_not_what_it_only_tastes_like_or_is_free_of(title):
 
 def test_a_cocktail_of_shrimps_is_no_drink():
     assert [dish.name for dish in tables().dishes_named("seafood", "Shrimp Cocktail")] == ["seafood", "shrimp cocktail"]
+
+
+@pytest.mark.parametrize(
+    ("title", "named"),
+    [
+        ("Arepas (Venezuelan corn cakes with cheese)", {"arepa"}),
+        ("Zorbik (a sweet bread)", {"bread"}),
+        ("Spice Cake (the best bread)", {"cake"}),
+    ],
+)
+def test_what_stands_in_brackets_names_a_dish_only_beside_a_name_that_nobody_knows(title, named):
+    assert {dish.name for dish in tables().dishes_named(title)} == named
