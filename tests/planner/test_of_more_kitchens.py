@@ -263,3 +263,10 @@ def test_noodles_that_become_a_dish_of_noodles_are_the_boiled_ones(steps, title)
     told = steps("noodle", title, "noodles:uncooked", "minced pork:raw", "soy sauce:liquid", "sesame paste:creamy",
                  "scallions:chopped")  # fmt: skip
     assert first(told, "noodles", "boil") < first(told, "noodles", "mix")
+
+
+def test_egg_is_stirred_last_into_the_sauce_of_crabs(steps):
+    told = steps("seafood", "Singapore chilli crab", "mud crabs:cut", "oil:liquid", "garlic:chopped", "ketchup:sauce",
+                 "chicken stock:liquid", "cornflour:powder", "egg:beaten")  # fmt: skip
+    assert "mud crabs" in of(told, "simmer")
+    assert first(told, "egg", "cook and stir") > motions(told).index("simmer")
