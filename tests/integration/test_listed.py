@@ -192,6 +192,13 @@ def test_a_recipe_says_the_part_of_each_food_by_its_place():
     assert [food.part for food in said.ingredients] == ["", "", "", "syrup"]
 
 
+def test_what_is_said_of_one_food_moves_no_other_out_of_its_part():
+    served = RequiredIngredient("cream", "", part="serving")
+    recipe = Recipe("cake", (served, *(RequiredIngredient(food, "") for food in ("flour", "sugar", "water"))))
+    said = with_parts_said(recipe, (Inferred("syrup", (2, 3)),))
+    assert [food.part for food in said.ingredients] == ["serving", "", "syrup", "syrup"]
+
+
 @given(st.data())
 def test_each_food_is_for_one_part_at_most_and_something_is_left_or_filled(data):
     names = sorted({food for parts in FOUND.values() for _, named in parts for food in named.split(", ")})

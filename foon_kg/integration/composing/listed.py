@@ -54,10 +54,9 @@ def _is_below_a_heading(want: Want) -> bool:
 def with_parts_said(recipe: Recipe, inferred: Sequence[Inferred]) -> Recipe:
     """Return a recipe that says of its foods the parts that were ``inferred``."""
     said = {place: one.part for one in inferred for place in one.places}
-    places = iter(range(len(recipe.ingredients)))
+    places = itertools.count()
     foods = (
-        replace(food, part=food.part or said.get(next(places), "")) if food.object else food
-        for food in recipe.ingredients
+        replace(food, part=said.get(next(places), food.part)) if food.object else food for food in recipe.ingredients
     )
     return replace(recipe, ingredients=tuple(foods))
 
