@@ -12,9 +12,19 @@ from __future__ import annotations
 
 from foon_kg.integration.bench.appliances import Bench
 from foon_kg.integration.bench.steps import Done, RefusedError
-from foon_kg.integration.bench.things import Device, Stuff, Thing, Vessel, fineness, foods_of, is_flat, is_heated
+from foon_kg.integration.bench.things import (
+    Device,
+    Stuff,
+    Thing,
+    Vessel,
+    fineness,
+    foods_of,
+    is_baked,
+    is_flat,
+    is_heated,
+)
 
 __all__ = [
     "Bench", "Device", "Done", "RefusedError", "Stuff", "Thing", "Vessel",
-    "fineness", "foods_of", "is_flat", "is_heated",
+    "fineness", "foods_of", "is_baked", "is_flat", "is_heated",
 ]  # fmt: skip

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from foon_kg.food import Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 
 _FLAT = word_list("flat utensils")
 
@@ -83,6 +83,11 @@ def is_flat(label: str) -> bool:
 def foods_of(vessel: Vessel) -> tuple[str, ...]:
     """Return the names of all foods in a vessel."""
     return tuple(dict.fromkeys([food for stuff in vessel.contents for food in stuff.foods]))
+
+
+def is_baked(stuff: Stuff) -> bool:
+    """Return whether ``stuff`` was baked, or steamed, and has set in what it was heated in."""
+    return says(stuff.states, "sets in what it is heated in")
 
 
 def is_heated(states: Iterable[str], known: Tables) -> bool:

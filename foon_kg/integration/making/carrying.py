@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import says, word_list
-from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat, is_heated
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_baked, is_flat, is_heated
 from foon_kg.integration.joining.batters import binds
 from foon_kg.integration.joining.course import Plan
 from foon_kg.integration.making.bringing import Bringing, Transport, only_brings, pours
@@ -165,11 +165,7 @@ class Carrier:
     def _is_in_tin(self, vessel: Vessel) -> bool:
         """Whether something was baked in a tin with a rim."""
         row = self.known.utensil(vessel.label)
-        return (
-            row is not None
-            and row.group == "tins"
-            and any(says(stuff.states, "sets in what it is heated in") for stuff in vessel.contents)
-        )
+        return row is not None and row.group == "tins" and any(map(is_baked, vessel.contents))
 
     def _cool(self, vessel: Vessel) -> None:
         """Let what was baked cool in its tin, or it breaks when it comes out."""

@@ -8,7 +8,7 @@ from functools import lru_cache
 from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import CHOPPED
-from foon_kg.integration.bench import Stuff, fineness, is_heated
+from foon_kg.integration.bench import Stuff, fineness, is_baked, is_heated
 from foon_kg.integration.joining.batters import binds
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.world.running import is_runny
@@ -32,7 +32,7 @@ def is_wet(stuff: Stuff, known: Tables) -> bool:
     if is_runny(stuff.label, stuff.states, stuff.foods, known):
         return True
     foods = [known.foods.food(food) for food in stuff.foods]
-    if not says(stuff.states, "sets in what it is heated in") and _stays_liquid(stuff, foods):
+    if not is_baked(stuff) and _stays_liquid(stuff, foods):
         return True
     if is_heated(stuff.states, known):
         return not _has_set(stuff, foods, known) and _has_liquid_left(foods)
@@ -69,7 +69,7 @@ def _has_set(stuff: Stuff, foods: Sequence[Food], known: Tables) -> bool:
 
 def _is_baked_firm(stuff: Stuff, known: Tables) -> bool:
     """Whether a mixture was baked or steamed, and something in it bound the rest."""
-    if not says(stuff.states, "sets in what it is heated in"):
+    if not is_baked(stuff):
         return False
     steamed = "baked" not in stuff.states
     swells = steamed and any(

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import says, word_list
-from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of, is_flat, is_heated
+from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of, is_baked, is_flat, is_heated
 from foon_kg.integration.joining.course import COATS, Plan
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import HEATS, Stage
@@ -208,7 +208,7 @@ class Outcome:
 
     def is_cooked_loose(self, stuff: Stuff) -> bool:
         """Return whether ``stuff`` was cooked, and not baked in one piece."""
-        return not says(stuff.states, "sets in what it is heated in") and is_heated(stuff.states, self.known)
+        return not is_baked(stuff) and is_heated(stuff.states, self.known)
 
 
 def says_raw(state: str, known: Tables) -> bool:

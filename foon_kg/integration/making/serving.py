@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food.lists import says, word_list
-from foon_kg.integration.bench import RefusedError, Stuff, Vessel, is_flat
+from foon_kg.integration.bench import RefusedError, Stuff, Vessel, is_baked, is_flat
 from foon_kg.integration.joining.course import WORKS
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.consistency import is_wet
@@ -38,7 +38,7 @@ class Serving(Hands):
         """
         if not stage.does.isdisjoint(WORKS) or any(not one.does.isdisjoint(WORKS) for one in later):
             return False
-        if vessel is not None and any(says(stuff.states, "sets in what it is heated in") for stuff in vessel.contents):
+        if vessel is not None and any(map(is_baked, vessel.contents)):
             return False  # on what comes out of the oven in one piece it only lies
         return any(join.slot is None and not self.lies_on_top(join) for join in joins)
 

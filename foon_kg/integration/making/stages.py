@@ -12,7 +12,7 @@ from foon_kg.food import Food, Tables
 from foon_kg.food.lists import says, word_list
 from foon_kg.food.parted import PART
 from foon_kg.food.rows import MINCED
-from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_flat, is_heated
+from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_baked, is_flat, is_heated
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.course import MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.spots import Join, only_carries
@@ -83,11 +83,7 @@ class Stages:
     def lies_baked(self, vessel: Vessel | None) -> bool:
         """Return whether the dish in ``vessel`` comes out of the oven in one piece, however wet what lies on it is."""
         whole = self.plan.laid or self.on_plate
-        return (
-            whole
-            and vessel is not None
-            and any(says(stuff.states, "sets in what it is heated in") for stuff in vessel.contents)
-        )
+        return whole and vessel is not None and any(map(is_baked, vessel.contents))
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:
         """Whether the next stage only goes on with what this one does, so that once is enough (contract C3, W4).
@@ -341,7 +337,7 @@ class Stages:
         row = self.known.utensil(vessel.label)
         ends = all(only_carries(one) and not self.course.stage_alive(one) for one in (stage, *later))
         dish = row is not None and row.group in word_list("is served in what it is baked in")
-        baked = any(says(stuff.states, "sets in what it is heated in") for stuff in vessel.contents)
+        baked = any(map(is_baked, vessel.contents))
         return ends and dish and baked and not self.plan.tin and not self.plan.laid and self.has_no_portions()
 
 

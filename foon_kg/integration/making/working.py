@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables
-from foon_kg.food.lists import says, word_list
-from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of, is_flat, is_heated
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of, is_baked, is_flat, is_heated
 from foon_kg.integration.joining.course import Plan
 from foon_kg.integration.making.outcome import Outcome, says_raw
 from foon_kg.integration.making.rising import Rising
@@ -78,8 +78,7 @@ class Worker:
 
     def _lies_on_top(self, stuffs: Sequence[Stuff]) -> bool:
         """Whether foods are toppings, or what comes out of an oven in one piece is among them."""
-        baked = any(says(stuff.states, "sets in what it is heated in") for stuff in stuffs)
-        return baked or all(self._is_a_topping(stuff) for stuff in stuffs)
+        return any(map(is_baked, stuffs)) or all(self._is_a_topping(stuff) for stuff in stuffs)
 
     def _is_a_topping(self, stuff: Stuff) -> bool:
         facts = self.known.foods.food(stuff.label)
