@@ -44,11 +44,7 @@ def as_listed(
 def parts_inferred(wants: Sequence[Want], recipe: Recipe) -> tuple[Inferred, ...]:
     """Return the parts that a recipe does not name; ``wants`` are its foods, in the order of its list."""
     listed = sorted(((place, want) for want in wants for place in want.places), key=itemgetter(0))
-    return tuple(_Listed(listed, recipe, headed=any(_is_below_a_heading(want) for want in wants)).parts())
-
-
-def _is_below_a_heading(want: Want) -> bool:
-    return bool(want.part) and want.part not in word_list("is said in a list without headings")
+    return tuple(_Listed(listed, recipe, headed=any(want.is_headed for want in wants)).parts())
 
 
 def with_parts_said(recipe: Recipe, inferred: Sequence[Inferred]) -> Recipe:
@@ -133,7 +129,7 @@ class _Listed:
 
 
 def _above_headings(listed: Sequence[tuple[int, Want]]) -> Iterator[tuple[int, Want]]:
-    return itertools.takewhile(lambda one: not _is_below_a_heading(one[1]), listed)
+    return itertools.takewhile(lambda one: not one[1].is_headed, listed)
 
 
 def _runs_for(dish_type: str, title_words: Sequence[str], *, headed: bool) -> Iterator[Run]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping, Sequence
+from operator import attrgetter
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel, is_flat, is_heated
@@ -19,11 +20,6 @@ from foon_kg.integration.making.utensils import Utensils
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import BATH, Line, Stage
-
-
-def _is_for_another(part: str) -> bool:
-    """Whether a food that a recipe says is for a ``part`` of its dish is for no tin."""
-    return bool(part) and part not in word_list("is said in a list without headings")
 
 
 class Placing(Hands):
@@ -180,7 +176,7 @@ class Placing(Hands):
         if row is None or "bake" not in row.can or row.can & {"heat"}:
             return
         fats = [j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")]
-        fat = min(fats, key=lambda want: _is_for_another(want.part), default=None)
+        fat = min(fats, key=attrgetter("is_headed"), default=None)  # what a heading says is for another part
         if fat is not None and any(map(self._is_batter, vessel.contents)):
             self.carry.grease(fat, fresh)
 

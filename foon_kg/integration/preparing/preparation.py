@@ -95,6 +95,11 @@ class Want:
         """The names under which evidence is sought."""
         return (singular(self.label),)
 
+    @property
+    def is_headed(self) -> bool:
+        """Whether its ``part`` is what a heading says; of a single food a list says only what that is used for."""
+        return bool(self.part) and self.part not in word_list("is said in a list without headings")
+
 
 @dataclass
 class Ready:
