@@ -44,12 +44,10 @@ class Core:
 
 def with_core_told(tree: FinalTree, core: Core | None) -> FinalTree:
     """Return a ``tree`` that says for what the food was taken of which nothing is known (``core``), if any."""
-    leaf = next(
-        (node for node in tree.kitchen if core is not None and core.label in {node.label, *node.ingredients}), None
-    )
-    if leaf is None or core is None:
+    if core is None:
         return tree
-    return replace(tree, assumptions=(*tree.assumptions, Assumption(leaf, core.why)))
+    leaf = next((node for node in tree.kitchen if core.label in {node.label, *node.ingredients}), None)
+    return tree if leaf is None else replace(tree, assumptions=(*tree.assumptions, Assumption(leaf, core.why)))
 
 
 def with_unheeded(

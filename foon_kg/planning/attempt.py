@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from foon_kg.goals.choice import Fit
-from foon_kg.integration.final_tree import FinalTree
 from foon_kg.integration.making.cooking import Cooking
 from foon_kg.model import ObjectNode
 from foon_kg.plans.result import PlanResult
@@ -17,7 +16,6 @@ class Attempt:
     """A tree that was built after one frame, with what the judge says of it and what its kitchen lacks."""
 
     fit: Fit
-    tree: FinalTree
     result: PlanResult
     report: Report
     missing: tuple[ObjectNode, ...]

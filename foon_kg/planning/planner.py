@@ -299,10 +299,11 @@ class PlannedRecipe:
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
         tree = with_unheeded(with_parts_told(tree, self.inferred, self.recipe), self.asks, self.wants, self.known)
-        result = self._result(fit, with_core_told(tree, self.core), dish_type)
+        tree = with_core_told(tree, self.core)
+        result = self._result(fit, tree, dish_type)
         self._refuse_avoided(result)
         report = check(result.tree, free=self.kitchen.free_foods, named_so=self.kitchen.names_so)
-        return Attempt(replace(fit, joins=joins), tree, result, report, self._missing(result), cooking)
+        return Attempt(replace(fit, joins=joins), result, report, self._missing(result), cooking)
 
     def _called(self, fit: Fit, asked: Asked, dish_type: str, tin: str) -> Called:
         """Return what the names of the asked dish and of the recorded one say of how it is put together."""
