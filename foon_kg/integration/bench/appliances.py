@@ -50,7 +50,8 @@ class Bench(Handwork):
         def change() -> None:
             vessel.device, vessel.relation = device, relation
             if 0 in device.running and self.has_burners(device):  # the burner that was found on
-                device.running.symmetric_difference_update({0, vessel.number})
+                device.running.remove(0)
+                device.running.add(vessel.number)
                 self.standing[vessel.number] = vessel
 
         self.emit(attested, [vessel, device], change, [vessel, (device, vessel)])
