@@ -54,8 +54,8 @@ class Case:
     def world(self) -> World:
         """The kitchen after the whole tree was played in it."""
         world = World([wanted.object for wanted in self.required])
-        on = (node for node in self.tree.leaves if self.is_named_so(node))
-        world.supply.found_on = frozenset(singular(node.label) for node in on if world.reader.read(node).on)
+        on = (node for node in self.tree.leaves if world.reader.read(node).on and self.is_named_so(node))
+        world.supply.found_on = frozenset(singular(node.label) for node in on)
         for unit in self.tree.units:
             world.play(unit.step)
         return world

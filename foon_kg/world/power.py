@@ -75,15 +75,16 @@ def _check_source(played_step: PlayedStep) -> None:
     sources = sources_of(played_step, source)
     if not sources:
         what = "a heat source" if source == "heat" else "an appliance"
-        played_step.fault("W3", f"“{played_step.step.motion}” without {what}", *_nodes_of(played_step))
+        played_step.fault("W3", f"“{played_step.step.motion}” without {what}", *nodes_of(played_step))
     elif not any(vessel.is_on(burner) for vessel, burner in sources):
         names = ", ".join(sorted({vessel.label for vessel, _ in sources}))
-        played_step.fault("W3", f"“{played_step.step.motion}” while the {names} is off", *_nodes_of(played_step))
+        played_step.fault("W3", f"“{played_step.step.motion}” while the {names} is off", *nodes_of(played_step))
         for vessel, burner in sources:
             _light(vessel, burner)
 
 
-def _nodes_of(played_step: PlayedStep) -> tuple[ObjectNode, ...]:
+def nodes_of(played_step: PlayedStep) -> tuple[ObjectNode, ...]:
+    """Return the node that a fault of the whole of ``played_step`` is told of: its first input, if it has any."""
     return tuple(mention.node for mention in played_step.step.inputs[:1])
 
 
@@ -128,7 +129,7 @@ def _check_attached(played_step: PlayedStep) -> None:
     for vessel in played_step.vessels:
         if vessel.is_appliance and vessel.row.holds == "attached" and vessel.is_on():
             verb = "attached to" if played_step.does("attach") else "taken from"
-            played_step.fault("W3", f"something is {verb} the {vessel.label} while it runs", *_nodes_of(played_step))
+            played_step.fault("W3", f"something is {verb} the {vessel.label} while it runs", *nodes_of(played_step))
 
 
 def check_outputs(supply: Supply, played_step: PlayedStep) -> None:
@@ -159,7 +160,7 @@ def _closed(vessel: Vessel, lump: Lump, played_step: PlayedStep) -> None:
     }:
         return
     played_step.fault(
-        "W3", f"the {vessel.label} is closed, and {lump.label} enters or leaves it", *_nodes_of(played_step)
+        "W3", f"the {vessel.label} is closed, and {lump.label} enters or leaves it", *nodes_of(played_step)
     )
     vessel.covered = False
 

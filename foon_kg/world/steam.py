@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.world.played_step import PlayedStep
-from foon_kg.world.power import heated_vessels
+from foon_kg.world.power import heated_vessels, nodes_of
 from foon_kg.world.things import Vessel
 
 
@@ -23,17 +23,15 @@ def check_inputs(played_step: PlayedStep) -> None:
 def _check(vessel: Vessel, played_step: PlayedStep) -> None:
     """Tell why what is in ``vessel`` is not steamed there, if it is not."""
     below = _below(vessel)
-    nodes = tuple(mention.node for mention in played_step.step.inputs[:1])
     if _makes_its_own(vessel, below):
         return
     if not any(map(_has_liquid, below)):
         lies = _has_liquid(vessel)
-        reason = (
-            f"what is in the {vessel.label} lies in the liquid" if lies else f"no water is under the {vessel.label}"
-        )
-        played_step.fault("W3", f"“{played_step.step.motion}”, and {reason}", *nodes)
+        what = f"what is in the {vessel.label} lies in the liquid" if lies else f"no water is under the {vessel.label}"
+        played_step.fault("W3", f"“{played_step.step.motion}”, and {what}", *nodes_of(played_step))
     elif not any(place.covered for place in (vessel, *below)):
-        played_step.fault("W3", f"the steam leaves the {vessel.label}: no lid is on it", *nodes, minor=True)
+        reason = f"the steam leaves the {vessel.label}: no lid is on it"
+        played_step.fault("W3", reason, *nodes_of(played_step), minor=True)
 
 
 def _below(vessel: Vessel) -> Sequence[Vessel]:
@@ -50,5 +48,5 @@ def _makes_its_own(vessel: Vessel, below: Sequence[Vessel]) -> bool:
 
 def _has_liquid(vessel: Vessel) -> bool:
     """Whether a liquid that boils is in a vessel, by itself: what was mixed into a batter is none."""
-    liquids = [lump.parts for lump in vessel.lumps if not lump.mixed]
-    return any(part.food.is_a("cooking liquid") and not part.spoonful for parts in liquids for part in parts)
+    parts = (part for lump in vessel.lumps if not lump.mixed for part in lump.parts)
+    return any(part.food.is_a("cooking liquid") and not part.spoonful for part in parts)
