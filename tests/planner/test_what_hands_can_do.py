@@ -198,3 +198,9 @@ def test_smoked_fish_comes_in_a_packet_and_cold_smoked_fish_is_cooked(public_pla
     taken = [node for unit in result.units for node in (*unit.input_nodes, *unit.output_nodes) if node.label == food]
     assert taken[0].container == "packet"
     assert any("cooked" in node.states for node in taken) is cooked
+
+
+@pytest.mark.parametrize(("state", "drained"), [("sauce", False), ("thick sauce", False), ("bean", True)])
+def test_a_sauce_of_beans_is_not_drained(steps, state, drained):
+    told = steps("noodle", "Noodles", f"bean:{state}", "noodle:dried", "pork:ground", "oil:liquid", "garlic:minced")
+    assert any({"bean", "strainer"} <= inputs | {node.label for node in out} for inputs, _, out in told) is drained

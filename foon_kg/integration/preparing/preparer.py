@@ -16,7 +16,7 @@ from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.preparing.cutting import BOWL
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, Ready, Want, earned, owed
 from foon_kg.integration.preparing.treating import Treater
-from foon_kg.integration.teaching.forms import form_of
+from foon_kg.integration.teaching.forms import form_of, is_scooped
 
 
 class Preparer(Treater):
@@ -80,7 +80,7 @@ class Preparer(Treater):
     def _comes_in_a_liquid(self, want: Want) -> bool:
         """Whether a food is to be drained of what it is sold in."""
         drained = "drain" in want.facts.owes or "drain" in self.known.state(want.asked).earns
-        return drained and want.storage in word_list("is poured out of its can")
+        return drained and want.storage in word_list("is poured out of its can") and not is_scooped(want.leaf)
 
     def _taken(self, want: Want) -> Stuff:
         """Return a food as the kitchen has it; of one that comes apart the part that is meant, in a bowl of its own."""

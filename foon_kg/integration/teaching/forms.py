@@ -19,6 +19,11 @@ _SOLD_FINE = frozenset({"ground", "granulated", "powder", "dried"})
 """As what a shop sells a food that is strewn or poured, where its kind is one that comes so."""
 
 
+def is_scooped(states: Sequence[str]) -> bool:
+    """Return whether a food is scooped or spread by its ``states``: a sauce of beans, and no bean in its water."""
+    return not _SOLD_SOFT.isdisjoint(states)
+
+
 def is_liquid_fat(facts: Food) -> bool:
     """Return whether a food of these ``facts`` is fat that runs as it is sold: what is fried in it stays apart."""
     return facts.is_a("fat") and facts.is_a("liquid")
@@ -34,7 +39,7 @@ def form_of(known: Tables, label: str, states: tuple[str, ...]) -> str:
     facts = known.foods.food(label, states)
     if _runs(facts, states):
         return "liquid"
-    if facts.is_a("creamy") or not _SOLD_SOFT.isdisjoint((facts.sold_as, *states)):
+    if facts.is_a("creamy") or is_scooped((facts.sold_as, *states)):
         return "soft"
     if facts.is_a("spice", "leaven", "flour", "sweet", "stock") and facts.sold_as in _SOLD_FINE:
         return "powder"
