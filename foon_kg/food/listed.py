@@ -16,10 +16,11 @@ class Run:
     """Foods that a recipe names one after another, and the ``part`` of the dish that they make together.
 
     ``technique`` has what they need and for which dishes they are. All of them are ``of`` such foods, the first is one
-    of ``starts``, the last one of ``ends``, and none of ``apart`` stands next to them. Of each list of ``again`` one is
-    listed elsewhere as well; ``beside`` are foods of which each list leaves one for the rest. The last of them may be
-    ``leaves``, and are for the dish itself, or for ``rest``. It closes the list, or it ``opens`` it; then all else is
-    for ``rest``, if there is one, but for the last of it that are ``leaves``. ``headed``: it opens lists with headings.
+    of ``starts``, the last one of ``ends``; none is of ``lacks``, and none of ``apart`` stands next to them. Of each
+    list of ``again`` one is listed elsewhere as well; ``beside`` are foods of which each list leaves one for the rest.
+    The last of them may be ``leaves``, and are for the dish itself, or for ``rest``. It closes the list, or it
+    ``opens`` it; then all else is for ``rest``, if there is one, but for the last of it that are ``leaves``.
+    ``headed``: it opens lists with headings.
     """
 
     technique: Technique

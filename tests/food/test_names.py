@@ -58,6 +58,49 @@ def test_names_of_many_lands_are_known(asked, kind):
     assert FOODS.food(asked).kind == kind
 
 
+@pytest.mark.parametrize(
+    ("asked", "kind"),
+    [
+        ("miel de acacia", "syrup"),  # honey, and in Romanian alone a lamb
+        ("rosmarino", "woody herb"),  # and a pasta
+        ("oleo", "butter"),
+        ("malai", "cream"),
+        ("gata", "plant milk"),
+        ("filetto di merluzzo", "fish"),
+        ("polpa di maiale", "meat"),
+        ("mango maduro", "peel fruit"),  # only ripe
+        ("cherries glacé", "dried fruit"),  # no ice cream
+        ("peanut butter crunchy", "nut butter"),
+        ("steak tartare", "meat"),
+    ],
+)
+def test_no_name_takes_another_food(asked, kind):
+    assert FOODS.food(asked).kind == kind
+
+
+@pytest.mark.parametrize(
+    ("other", "listed"),
+    [
+        ("bacalao salado", "salt cod"),
+        ("mejillones", "mussel"),
+        ("pulpo", "squid"),
+        ("alimango", "crab"),
+        ("tteokbokki rice cakes", "tteok"),
+        ("kho qua", "bitter melon"),
+        ("dudhi", "bottle gourd"),
+        ("molokheya", "jute leaf"),
+        ("papadom", "papad"),
+        ("friarielli", "rapini"),
+        ("canned corn", "canned peas"),
+        ("tinned sardines", "sardine"),
+        ("konbu", "kombu"),
+        ("omani limes", "dried lime"),
+    ],
+)
+def test_what_is_the_same_food_is_of_one_kind(other, listed):
+    assert FOODS.food(other).kind == FOODS.food(listed).kind
+
+
 def test_another_name_has_what_its_states_make_of_the_food():
     assert FOODS.food("fagioli", ["canned"]).kind == FOODS.food("dried bean", ["canned"]).kind == "canned pulse"
     assert FOODS.food("elote", ["frozen"]).kind == FOODS.food("corn", ["frozen"]).kind
