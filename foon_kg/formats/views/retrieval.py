@@ -29,15 +29,14 @@ def _once(kitchen: Sequence[ObjectNode]) -> Iterator[ObjectNode]:
 
     A kitchen has one appliance of each kind.
     """
-    things: dict[ObjectNode, list[str]] = {}
+    things: dict[ObjectNode, list[ObjectNode]] = {}
     for node in kitchen:
         row = tables().utensil(node.label)
-        if row is None or row.role != "appliance":
-            things[node] = []
-        else:
-            things.setdefault(replace(node, states=()), []).extend(node.states)
-    for node, ways in things.items():
-        yield replace(node, states=(" or ".join(dict.fromkeys(ways)),)) if ways else node
+        thing = replace(node, states=()) if row is not None and row.role == "appliance" else node
+        things.setdefault(thing, []).append(node)
+    for thing, told in things.items():
+        ways = filter(None, (", ".join(node.states) for node in told))
+        yield replace(thing, states=(" or ".join(ways),)) if len(told) > 1 else told[0]
 
 
 def _header(tree: RetrievalResult) -> RenderableType:
