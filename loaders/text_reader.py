@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from itertools import chain, takewhile
+from itertools import chain, islice, takewhile
 
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark
 from foon_kg.loaders.text_lines import (
@@ -32,16 +33,20 @@ def read_text(text: str, name: str, file: str = "") -> ReadResult:
     return TextReader().read(text, name, file)
 
 
-def line_with(text: str, motion_at: int, word: str) -> int:
-    """Return on which line of the unit in ``text`` whose motion stands on line ``motion_at`` there is ``word``.
+def lines_of(text: str) -> list[str]:
+    """Return the lines of a ``text`` as all numbers of lines count them, from 1 on."""
+    return _LINE_END.split(text)
 
-    It is that of the motion where none of them has the word as it is written, or the text is of another format.
+
+def line_with(lines: Sequence[str], motion_at: int, word: str) -> int:
+    """Return on which of the ``lines`` of the unit whose motion stands on line ``motion_at`` there is ``word``.
+
+    It is that of the motion where none of them has the word as it is written, or the lines are of another format.
     """
-    lines = _LINE_END.split(text)
     if not lines[motion_at - 1 : motion_at] or not lines[motion_at - 1].startswith("M"):
         return motion_at
     begin = next((at for at in range(motion_at - 1, -1, -1) if lines[at].startswith("//")), -1) + 1
-    unit = takewhile(lambda line: not line.startswith("//"), lines[begin:])
+    unit = takewhile(lambda line: not line.startswith("//"), islice(lines, begin, None))
     there = re.compile(rf"\b{re.escape(word)}\b", re.IGNORECASE)
     return next((number for number, line in enumerate(unit, begin + 1) if there.search(line)), motion_at)
 
@@ -58,7 +63,7 @@ class TextReader:
         """Return the video ``name`` in a ``text``, as :func:`read_text` does; messages name the ``file``."""
         journal = Journal(file or name)
         known = self._lines
-        lines = [known[line] if line in known else self._line(line) for line in _LINE_END.split(text)]
+        lines = [known[line] if line in known else self._line(line) for line in lines_of(text)]
         hours = counts_hours(column for line in lines if isinstance(line, MotionLine) for column in line.time_columns)
         annotations: list[Annotation] = []
         at: list[int] = []

@@ -172,10 +172,10 @@ def _where_they_stand(
     """Return the lines of the words ``found`` in the file at ``path``: ``lines`` has those of their units."""
     if not lines:
         return dict.fromkeys(found)
-    from foon_kg.loaders.text_reader import line_with
+    from foon_kg.loaders.text_reader import line_with, lines_of
 
-    text = _text_of(path)
-    return {word: line_with(text, lines[word], word.word) if word in lines else None for word in found}
+    written = lines_of(_text_of(path))
+    return {word: line_with(written, lines[word], word.word) if word in lines else None for word in found}
 
 
 def _text_of(path: str) -> str:
