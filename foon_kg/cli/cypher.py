@@ -124,13 +124,16 @@ def _question(query: str | None, name: str | None, given: dict[str, str]) -> tup
 
 
 def _doubts(foon: Foon, name: str | None, parameters: Mapping[str, object]) -> Sequence[str]:
-    """Return what is odd about the ``parameters`` of our query ``name`` that nothing answers; of no other one."""
+    """Return what is odd about the ``parameters`` of our query ``name`` that nothing answers; of no other one.
+
+    Of a graph with more than ``MOST_NAMES`` names it is not known what has none: nothing is said.
+    """
     from foon_kg.cli.named_queries import explore_query, unknown_names
 
     if name is None or not parameters:
         return ()
     known = foon.cypher(explore_query("names").text, limit=MOST_NAMES)
-    return tuple(unknown_names(parameters.values(), {str(row[1]) for row in known.rows}))
+    return () if known.cut else tuple(unknown_names(parameters.values(), {str(row[1]) for row in known.rows}))
 
 
 def _list_queries(*, as_json: bool) -> None:

@@ -138,7 +138,7 @@ def test_cypher_prints_lists_as_words_numbers_to_the_right_and_says_where_nothin
 
 
 @pytest.mark.neo4j
-def test_a_query_of_ours_that_nothing_answers_says_which_name_is_misspelt(database):
+def test_a_query_of_ours_that_nothing_answers_says_which_name_is_misspelt(database, monkeypatch):
     foon("load", "foon", demo_folder())
 
     def told(name, **given):
@@ -154,6 +154,8 @@ def test_a_query_of_ours_that_nothing_answers_says_which_name_is_misspelt(databa
     assert "It has no name" not in told("motion_on_food", food="onion", motion="squeeze")
     removed = foon("remove", "greek_sald")
     assert (removed.exit_code, "Did you mean greek_salad" in removed.stderr) == (2, True)
+    monkeypatch.setattr("foon_kg.cli.cypher.MOST_NAMES", 1)  # of more names it is not known what has none
+    assert "It has no name" not in told("states_of_food", food="onoin")
 
 
 @pytest.mark.neo4j
