@@ -65,11 +65,6 @@ class StockedKitchen(Kitchen):
             numbers=dict(numbers or {}),
         )
 
-    def with_things(self, things: Collection[ObjectNode]) -> Self:
-        """Return this kitchen with ``things`` in it as well."""
-        named = (*(self.utensils_named or ()), *(self.foods_named or ()), *things)
-        return type(self).of(self, named, self.numbers, self.inside)
-
     def with_foods(self, names: Iterable[str]) -> Kitchen:
         """Return the kitchen in which ``names`` are foods, also those named as utensils (a cooking spray)."""
         foods = super().with_foods(names)

@@ -100,11 +100,12 @@ def test_a_food_that_is_only_there_opened_stands_for_one_as_it_is_sold(named, ma
 
 def test_what_was_named_as_contents_alone_is_there_beside_all_that_is_sold():
     rice = node("rice(cooked)@pot")
-    there = StockedKitchen.of(EVERYBODY, [node("pot{rice}"), node("knife")], inside=[rice])
+    named = [node("pot{rice}"), node("knife")]
+    there = StockedKitchen.of(EVERYBODY, named, inside=[rice])
     assert there.ready_in("rice", "cooked") == "pot"
     assert not any(there.lacks(node(leaf)) for leaf in ("onion(whole)", "rice(uncooked)", "rice(cooked)@pot"))
     assert there.is_start_state("rice", "uncooked")
-    more = there.with_things([node("onion")])
+    more = StockedKitchen.of(EVERYBODY, [*named, node("onion")], inside=[rice])
     assert more.lacks(node("tomato(whole)"))
     assert not more.lacks(rice)
 
@@ -135,8 +136,8 @@ def test_wishes_of_a_recipe_keep_what_was_named():
     assert kitchen("onion").with_foods(["cooking spray"]).lacks(node("cooking spray"))
 
 
-def test_more_things_are_added():
-    both = kitchen("knife").with_things([node("onion")])
+def test_of_both_kinds_just_what_was_named_is_there():
+    both = kitchen("knife", "onion")
     assert [both.lacks(node(leaf)) for leaf in ("bowl(empty)", "tomato(whole)", "knife", "onion(whole)")] == [
         True,
         True,
@@ -162,7 +163,7 @@ leaves = st.sampled_from(
 def test_what_was_named_is_never_lacking_and_naming_more_takes_nothing_away(named, other):
     there = StockedKitchen.of(EVERYBODY, named)
     assert not any(there.lacks(thing) for thing in named if not thing.ingredients)
-    more = there.with_things([other])
+    more = StockedKitchen.of(EVERYBODY, [*named, other])
     kinds = {EVERYBODY.is_food(thing) for thing in named}
     if EVERYBODY.is_food(other) in kinds:
         assert not any(more.lacks(leaf) for leaf in named if not there.lacks(leaf))
