@@ -28,9 +28,8 @@ class BipartiteGraph:
     """Object nodes (ids ``o1``, …) and motion nodes (``m1``, …), each once and in the order of appearance.
 
     Where the things of a tree have numbers, two bowls are two object nodes though they look alike: ``things`` has the
-    number of each. ``edges`` go unit by
-    unit from the inputs to the motion, and from the motion to the outputs. ``goals`` are the end products, ``at_hand``
-    what no unit need make; ``costs`` say how likely motions succeed.
+    number of each. ``edges`` go unit by unit from the inputs to the motion, and from the motion to the outputs.
+    ``goals`` are the end products, ``at_hand`` what no unit need make; ``costs`` say how likely motions succeed.
     """
 
     name: str
