@@ -31,7 +31,8 @@ def suggest(
 
     Of each dish: what it takes of yours (and what of yours stands for what, how surely), what is missing, what would
     have to be ready in another state, and what is left over. This is proven: it is said of the reference tree that
-    lacks the least. The best is the dish of which the most is there.
+    lacks the least. Where utensils are named, those that are missing are what foon plan of that dish lacks. The best is
+    the dish of which the most is there.
 
     Utensils that the --kitchen file names are the only ones. For the steps: foon plan --dish TYPE FOOD...
     """

@@ -48,9 +48,10 @@ class Taken:
 class Suggestion:
     """A dish and its best reference tree, seen from what is at hand.
 
-    ``missing`` are the foods and utensils that the tree takes and that are not there; ``assumed`` the leaves of which
-    only the food is there, in another state; ``unused`` the foods at hand that it does not take. ``exact`` says that it
-    is proven that no tree of this goal lacks less food (see ``docs/ties.md`` for the order).
+    ``missing`` are the foods and utensils that the tree takes and that are not there; where utensils were named,
+    :func:`~foon_kg.planning.suggested.as_planned` puts those there that the plan of the dish lacks. ``assumed`` are the
+    leaves of which only the food is there, in another state, ``unused`` the foods at hand that the tree does not take.
+    ``exact`` says that it is proven that no tree of this goal lacks less food (see ``docs/ties.md`` for the order).
     """
 
     goal: Goal
