@@ -99,6 +99,11 @@ def test_a_dish_is_not_known_by_a_name_inside_a_longer_one():
     assert named == {"shotis puri": set(), "puri": {"puri"}}
 
 
+@pytest.mark.parametrize(("title", "is_so"), [("Trinidad Doubles", True), ("Double Cheeseburgers", False)])
+def test_what_is_doubled_is_not_fried_bread(title, is_so):
+    assert ("risen dough fried as rolls, opened and filled" in reached(title)) is is_so
+
+
 def test_a_dish_of_a_family_is_known_by_each_of_its_names():
     dishes = tables().dishes
     assert {"bread", "cake"} <= dishes["mandazi"].is_no & dishes["oliebol"].is_no

@@ -49,6 +49,14 @@ def test_chopped_fish_is_shaped_for_a_burger(steps):
     assert "buns" not in heated_with(told, "salmon")
 
 
+def test_rolls_are_baked_for_patties_and_doubled_they_are_no_fried_bread(steps):
+    told = steps("burger", "Double Cheeseburgers", "flour:powder", "yeast:powder", "sugar:granulated", "milk:liquid",
+                 "oil:liquid", "salt:granulated", "ground beef:uncooked", "cheddar cheese:sliced")  # fmt: skip
+    assert inside(told, "knead") >= {"flour", "yeast", "milk"}
+    assert motions(told).index("knead") < motions(told).index("bake") < motions(told).index("flip")
+    assert not {"flour", "yeast"} & heated_with(told, "ground beef")
+
+
 def test_fish_and_potatoes_are_boiled_and_mashed_for_cakes_in_crumbs(steps):
     told = steps("seafood", "Salmon Fishcakes", "potatoes:peeled", "salmon:raw", "flour:powder", "egg:beaten",
                  "breadcrumbs:crumbs", "oil:liquid")  # fmt: skip
