@@ -204,3 +204,12 @@ def test_smoked_fish_comes_in_a_packet_and_cold_smoked_fish_is_cooked(public_pla
 def test_a_sauce_of_beans_is_not_drained(steps, state, drained):
     told = steps("noodle", "Noodles", f"bean:{state}", "noodle:dried", "pork:ground", "oil:liquid", "garlic:minced")
     assert any({"bean", "strainer"} <= inputs | {node.label for node in out} for inputs, _, out in told) is drained
+
+
+def test_bread_is_torn_before_it_soaks_and_not_cut_when_it_is_wet(steps):
+    told = steps(
+        "meatball", "Meatballs", "ground beef:raw", "bread:soaked", "egg:whole", "onion:grated", "salt:granulated"
+    )
+    done = [motion for inputs, motion, _ in told if "bread" in inputs]
+    assert done.index("break apart") < done.index("soak")
+    assert not {"slice", "cut", "chop"} & set(done)

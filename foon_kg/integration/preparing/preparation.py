@@ -183,7 +183,7 @@ def as_mixed(want: Want, known: Tables) -> Want:
     whole = not want.make or known.state(want.make).fineness <= 1
     soaked = want.make in word_list("is so when it has soaked")  # that is asked, and falls apart by itself
     torn = whole and not soaked and want.facts.kind in word_list("is torn to be soaked")
-    return replace(want, make="torn") if torn else as_mash(want, known)
+    return replace(want, make=min(word_list("is so when it is torn"))) if torn else as_mash(want, known)
 
 
 def owed(want: Want, known: Tables, level: Level = Level.MINOR) -> set[str]:

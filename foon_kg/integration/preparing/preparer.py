@@ -67,6 +67,9 @@ class Preparer(Treater):
             self.drain(ready)
         if _is_soaked_first(want):
             self.soak(ready)
+        if _is_torn_to_soak(want):
+            self._cut(ready, min(word_list("is so when it is torn")))
+            cut = ""  # no knife cuts what is soft with water
         self.advise(ready)
         self._divide(ready, cut, alone=alone)
         self.clean_inside(ready, due)
@@ -266,6 +269,12 @@ def _is_soaked_first(want: Want) -> bool:
     """Whether a food was dried so hard that a cook lets it soak before anything else is done with it."""
     is_any = want.facts.is_any
     return is_any(word_list("is soaked first")) and not is_any(word_list("is done without soaking"))
+
+
+def _is_torn_to_soak(want: Want) -> bool:
+    """Whether a food is asked soaked that comes in a piece too large to lie in water: a loaf."""
+    soaked = want.asked in word_list("is so when it has soaked")
+    return soaked and want.facts.kind in word_list("is torn to be soaked")
 
 
 def _is_cut_though_dried(want: Want) -> bool:
