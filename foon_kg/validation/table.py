@@ -43,7 +43,7 @@ def raw(case: Case) -> Iterator[Finding]:
     for part in _eaten_cooked(case, called):
         for treatment, level in _owed_heat(case, part):
             how = "in enough liquid" if treatment == "boil" else "at all"
-            minor = level is Level.MINOR or part.food.is_any(eased)
+            minor = level is Level.MINOR or (part.food.is_any(eased) and not _is_asked_cooked(case, part))
             yield Finding("K1", f"{part.name} is in the dish and was not cooked {how}", minor=minor)
     yield from _never_hot(case)
 
@@ -62,6 +62,12 @@ def _eased(case: Case, called: Sequence[Dish]) -> frozenset[str]:
     """
     types = set(case.dish_types) & word_list("may hold raw egg") if case.title else case.dish_types
     return frozenset(kind for dish in (*case.tables.dishes_named(*types), *called) for kind in dish.eases)
+
+
+def _is_asked_cooked(case: Case, part: Part) -> bool:
+    """Whether a recipe asks for the food that a part is in states alone that heat gives: boiled eggs for a sauce."""
+    asked = [one.state for one in case.required if singular(one.object) == part.name]
+    return bool(asked) and all(case.tables.state(state).needs_heat for state in asked)
 
 
 def _may_not_be_raw_egg(case: Case, part: Part) -> bool:

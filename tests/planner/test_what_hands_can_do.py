@@ -213,3 +213,9 @@ def test_bread_is_torn_before_it_soaks_and_not_cut_when_it_is_wet(steps):
     done = [motion for inputs, motion, _ in told if "bread" in inputs]
     assert done.index("break apart") < done.index("soak")
     assert not {"slice", "cut", "chop"} & set(done)
+
+
+@pytest.mark.parametrize(("state", "boiled"), [("boiled", True), ("hard boiled", True), ("whole", False)])
+def test_an_egg_of_a_sauce_is_boiled_where_it_is_asked_so(steps, state, boiled):
+    told = steps("sauce", "Sauce", "oil:liquid", f"egg:{state}", "mustard:paste", "vinegar:liquid", "salt:granulated")
+    assert any("egg" in inputs and motion == "boil" for inputs, motion, _ in told) is boiled

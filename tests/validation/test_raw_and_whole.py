@@ -114,6 +114,17 @@ def test_k1_an_egg_is_odd_in_a_drink_and_in_a_cake_and_fatal_elsewhere():
     ]
 
 
+@pytest.mark.parametrize(
+    ("state", "told"), [("boiled", "K1"), ("whole", "K1 (minor)"), ("beaten", "K1 (minor)"), ("hard boiled", "K1")]
+)
+def test_k1_no_dish_eases_an_egg_that_is_asked_boiled(state, told):
+    step = (
+        "egg (whole) + milk (liquid; in carton) + glass (empty) → MIX → shake ({egg, milk}; in glass) + glass ({shake})"
+    )
+    tree = f"dish: drinks\nasked: egg ({state}); milk (liquid)\n{step}"
+    assert found("K1", tree) == [f"{told}: egg is in the dish and was not cooked at all"]
+
+
 CREAM = (
     "{egg} (liquid) + milk (liquid; in carton) + bowl (empty) → MIX"
     " → cream ({{{egg}, milk}}; in bowl) + bowl ({{cream}})"

@@ -52,9 +52,13 @@ class Precooking:
             return otherwise
         if want.cooked and want.asked in word_list("only what was cooked is so") and not self.pours(want):
             return self._usual(want)
-        if self._is_cooked_in_turn(join, due) or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
+        if self._is_cooked_in_turn(join, due) or self._is_eaten_raw_there(want):
             return ()
         return self._as_told(join, due) or self._unless_done_there(join, due)
+
+    def _is_eaten_raw_there(self, want: Want) -> bool:
+        """Whether a dish has such a food raw, though others cook it (the egg of a mayonnaise), and so it is asked."""
+        return not want.cooked and not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds})
 
     def _due(self, want: Want) -> set[str]:
         """Return of boiling and cooking what the food still needs to be eaten."""
