@@ -48,6 +48,7 @@ def into_heat(units, *foods):
         ("spinach", "is done soon"),
         ("shrimp", "is done soon"),
         ("heavy cream", "is stirred in last"),
+        ("rose water", "is stirred in last"),
         ("cheddar", "is stirred in last"),
     ],
 )
@@ -86,3 +87,61 @@ def test_no_knife_goes_through_a_bone(planner):
     units = planned(planner, "soup", oxtail="raw", lentil="dried", onion="chopped", water="liquid")
     cuts = [unit for unit in units if "cut" in KNOWN.motion(unit.motion).does]
     assert not any(node.label == "oxtail" for unit in cuts for node in unit.input_nodes)
+
+
+def test_potatoes_come_when_tough_meat_is_nearly_done(planner):
+    units = planned(
+        planner, "soup", beef_chuck="cubed", potato="diced", onion="chopped", olive_oil="liquid", beef_broth="liquid"
+    )
+    broth, potato = into_heat(units, "beef broth", "potato")
+    assert broth < potato
+
+
+def test_potatoes_come_with_the_liquid_where_nothing_takes_longer(planner):
+    units = planned(planner, "soup", chicken="chopped", potato="diced", onion="chopped", chicken_broth="liquid")
+    broth, potato = into_heat(units, "chicken broth", "potato")
+    assert broth == potato
+
+
+def test_tender_steak_is_simmered_no_longer_than_the_rest(planner):
+    units = planned(planner, "soup", sirloin_steak="sliced", potato="diced", onion="chopped", beef_broth="liquid")
+    broth, potato = into_heat(units, "beef broth", "potato")
+    assert broth == potato
+
+
+def test_what_is_soft_in_minutes_comes_after_what_is_hard(planner):
+    units = planned(
+        planner, "soup", pork_belly="cubed", taro="halved", okra="trimmed", eggplant="sliced", onion="quartered",
+        water="liquid",
+    )  # fmt: skip
+    pork, taro, okra, eggplant = into_heat(units, "pork belly", "taro", "okra", "eggplant")
+    assert pork < taro < okra == eggplant
+
+
+def test_dry_beans_have_their_time_before_potatoes_come(planner):
+    units = planned(planner, "soup", chickpea="dried", potato="diced", onion="chopped", olive_oil="liquid")
+    chickpea, potato = into_heat(units, "chickpea", "potato")
+    assert chickpea < potato
+
+
+def test_whole_spices_come_into_the_hot_fat_first(planner):
+    units = planned(
+        planner, "soup", lentil="dried", onion="sliced", cinnamon_stick="whole", cumin_seed="whole", ghee="liquid",
+        water="liquid",
+    )  # fmt: skip
+    cinnamon, cumin, onion, lentil = into_heat(units, "cinnamon stick", "cumin seed", "onion", "lentil")
+    assert cinnamon == cumin <= onion < lentil
+
+
+def test_milk_comes_when_what_cooks_in_the_stock_is_done(planner):
+    units = planned(
+        planner, "soup", potato="diced", onion="chopped", butter="stick", chicken_broth="liquid", milk="liquid"
+    )
+    potato, broth, milk = into_heat(units, "potato", "chicken broth", "milk")
+    assert potato == broth < milk
+
+
+def test_what_cooks_in_milk_alone_has_it_from_the_start(planner):
+    units = planned(planner, "soup", potato="diced", onion="chopped", butter="stick", milk="liquid")
+    potato, milk = into_heat(units, "potato", "milk")
+    assert potato == milk

@@ -203,7 +203,9 @@ def test_a_pot_roast_is_braised_with_all_that_is_around_it(steps):
         "roast", "Pot Roast", "chuck roast:raw", "oil:liquid", "onion:quartered", "carrot:cut", "potato:quartered",
         "beef broth:liquid", "bay leaf:dried",
     )  # fmt: skip
-    assert {"chuck roast", "onion", "carrot", "potato", "beef broth"} <= inside(told, "simmer")
+    assert {"chuck roast", "onion", "carrot", "beef broth"} <= inside(told, "simmer")
+    assert "potato" not in inside(told, "simmer")
+    assert "simmer" in motions(told)[first(told, "potato", "pick-and-place") :]
 
 
 def test_what_is_asked_roasted_for_serving_is_roasted_by_itself(steps):

@@ -15,15 +15,21 @@ from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
 _BATHS = tuple(word_list("is a bath"))
-ORDER = ("is fried", "is stirred into the fat", "cooks in the liquid", "is done soon", "is stirred in last")
+ORDER = (
+    "is fried", "is stirred into the fat", "takes hours in a liquid", "cooks in the liquid", "is done soon",
+    "is stirred in last",
+)  # fmt: skip
 """The phases of a vessel with a liquid in it: each is the name of the list of foods that join then."""
 
-FRIED, BINDS, WET, SOON, LAST = ORDER
+FRIED, BINDS, LONG, WET, SOON, LAST = ORDER
 
 EGGS_FIRST, EGGS = "eggs before what is boiled", "eggs"
 """The phases of eggs in a pan: before rice and noodles, which hold them together, or after them."""
 
-DRY_ORDER = (FRIED, BINDS, SOON, EGGS_FIRST, WET, EGGS, LAST)
+REDUCED = "boils away"
+"""The phase of wine in a pan: nobody boils it away where noodles are tossed in it."""
+
+DRY_ORDER = (FRIED, BINDS, REDUCED, SOON, EGGS_FIRST, WET, EGGS, LAST)
 """The phases of a pan without a liquid: what was boiled by itself (``WET``) only gets hot among the rest."""
 
 _CURDLES = word_list("curdles what is creamy")
@@ -163,9 +169,18 @@ def phase_suited(facts: Food, medium: Medium) -> str:
     phase = phase_of(facts)
     if phase in {FRIED, BINDS} and not medium.fat:
         return WET
+    if medium.fat and facts.is_any(word_list("blooms in hot fat")):
+        return FRIED
     if medium.bath:
         toasted = phase == WET and medium.fat and facts.is_any(word_list("is toasted"))
         return BINDS if toasted else phase
+    return _phase_in_a_pan(facts, phase)
+
+
+def _phase_in_a_pan(facts: Food, phase: str) -> str:
+    """Return in which phase a food joins where there is no liquid, if one that is in such a ``phase`` elsewhere."""
+    if facts.is_any(word_list(REDUCED)):
+        return REDUCED
     if facts.is_any(word_list("is boiled by itself")):
         return WET  # it is done already
     return FRIED if phase == WET and facts.is_any(word_list("takes long in the pan")) else phase
@@ -191,10 +206,8 @@ def in_parts(additions: Sequence[Addition], order: Sequence[str]) -> list[list[A
     parts: list[list[Addition]] = []
     waiting: list[Addition] = []
     for name in order:
-        here = sorted(
-            (addition for addition in additions if addition.phase == name), key=lambda addition: addition.rank
-        )
-        if _makes_a_phase(here):
+        here = sorted((one for one in additions if one.phase == name), key=lambda one: one.rank)
+        if _makes_a_phase(here, name):
             first, *others = _one_after_another(here) if name == FRIED else (here,)
             parts += [[*waiting, *first], *others]
             waiting = []
@@ -227,7 +240,9 @@ def _turn(addition: Addition) -> int:
     return 1 if kind in word_list("is browned before the rest") else 2
 
 
-def _makes_a_phase(additions: Sequence[Addition]) -> bool:
+def _makes_a_phase(additions: Sequence[Addition], name: str) -> bool:
+    if name == LONG:
+        return bool(additions)  # water is enough where what was browned takes hours
     # water alone is no phase, salted water is: that is brought to the boil before anything comes
     water = [one for one in additions if one.is_water]
     return any(one.is_solid for one in additions) or 0 < len(water) < len(additions)
@@ -256,7 +271,7 @@ def finishing_fat_last(additions: Sequence[Addition]) -> list[Addition]:
 
 def boils(additions: Iterable[Addition]) -> bool:
     """Return whether something of ``additions`` is to be cooked in a liquid, or is that."""
-    return any(one.phase == WET and (one.is_solid or one.is_water) for one in additions)
+    return any(one.phase in {LONG, WET} and (one.is_solid or one.is_water) for one in additions)
 
 
 def thickens(parts: Sequence[Sequence[Addition]]) -> bool:

@@ -37,6 +37,7 @@ from foon_kg.integration.joining.additions import (
     untoasted,
 )
 from foon_kg.integration.joining.course import WORKS, Plan
+from foon_kg.integration.joining.lasting import as_long_as_needed
 from foon_kg.integration.joining.patterns import STIR
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.preparing.preparation import Want
@@ -297,7 +298,7 @@ class _Phaser:
         Eggs that set before are scrambled among fried rice; what makes a sauce with cheese must not set.
         """
         if bath:
-            return untoasted(additions)
+            return as_long_as_needed(untoasted(additions), within)
         eaten_with_a_sauce = any_is(within, *word_list("is eaten with a sauce"))
         first = eaten_with_a_sauce and not any_is(within, *word_list("makes a sauce with eggs"))
         eggs = EGGS_FIRST if first else EGGS
