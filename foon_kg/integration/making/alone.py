@@ -267,7 +267,7 @@ class Alone:
         device = bench.place(pan, "stove", "on")
         runs = form_of(self.known, want.label, want.leaf) == "liquid"
         needs_fat = not runs and not want.facts.is_a("fat", *word_list("is fried until its fat runs"))
-        if needs_fat and not says(method, "is done dry"):
+        if needs_fat and not says(method, "is done dry") and not self.precooking.is_toasted_in_a_pan(want):
             self.carry.add_fat(pan, self.plan)
         bench.switch(pan, device, on=True)
         self.carry.bring(ready, pan, None)

@@ -97,6 +97,9 @@ class Precooking:
         What a title calls roasted is baked, flesh for a salad fried whole, and what is divided then as it is asked.
         """
         want, stage = join.want, join.spot.stage
+        browned = self._browned(join)
+        if browned:
+            return browned
         if want.roasted and not _is_done_there(join.spot, {"dry"}):
             return tuple(sorted(word_list("is roasted by")))
         if want.cooked and want.then:
@@ -151,6 +154,33 @@ class Precooking:
             return False
         baked = _is_done_there(join.spot, {"dry"}) and not _is_done_there(join.spot, {"shape"})
         return baked and any(one.want.facts.is_any(word_list("makes a batter")) for one in self.plan.joins)
+
+    def _browned(self, join: Join) -> tuple[str, ...]:
+        """Return how a food is cooked before that is asked fried, roasted or toasted, if the dish would not do that."""
+        want, stage = join.want, join.spot.stage
+        if not self._is_asked_of_dry_heat(want):
+            return ()
+        wet = "liquid" in stage.does or self.course.has_liquid([stage])
+        if self.is_toasted_in_a_pan(want):
+            return _IN_A_PAN if wet or want.then or not stage.heats else ()
+        if want.then or not wet or not stage.heats:
+            return ()
+        return () if _is_done_there(join.spot, {"dry"}) else self._by_fat_or_oven(want)
+
+    def _is_asked_of_dry_heat(self, want: Want) -> bool:
+        """Whether a food is asked as something hot makes it alone: not what is boiled, nor runs out of its shell."""
+        return want.cooked and not self.pours(want) and "boil" not in self._due(want)
+
+    def _by_fat_or_oven(self, want: Want) -> tuple[str, ...]:
+        """Return how a food is cooked by itself that is asked as only a hot pan makes it, or an oven."""
+        if want.make in word_list("is so in fat"):
+            return self._asked_cooking(want) or _IN_A_PAN
+        return tuple(sorted(word_list("is roasted by"))) if want.make in word_list("is so in the oven") else ()
+
+    @staticmethod
+    def is_toasted_in_a_pan(want: Want) -> bool:
+        """Return whether ``want`` is asked toasted and is a small thing, for which nobody heats an oven."""
+        return want.make in word_list("is so by dry heat") and want.facts.is_any(word_list("is toasted in a pan"))
 
     # --- where the dish cooks it ---
 

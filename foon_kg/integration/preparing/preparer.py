@@ -12,6 +12,7 @@ from foon_kg.food import words
 from foon_kg.food.lists import says, word_list
 from foon_kg.food.parted import parts_in
 from foon_kg.food.rows import HALVED, POWDER
+from foon_kg.food.workings import working
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.preparing.cutting import BOWL
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, Ready, Want, earned, owed
@@ -35,6 +36,7 @@ class Preparer(Treater):
         """
         due = self._due(want)
         later = want.then and want.then not in word_list("only what is soft is so")  # it stays whole until it is done
+        later = later or _is_worked_whole(want)
         cut = "" if later else self._cut_state(want, form, due, divided=divided, alone=alone)
         ready = Ready(want, self._taken(want))
         if want.bought_so:
@@ -67,6 +69,7 @@ class Preparer(Treater):
             self.drain(ready)
         if _is_soaked_first(want):
             self.soak(ready)
+        self.bring_about(ready, want.make)
         if _is_torn_to_soak(want):
             self._cut(ready, min(word_list("is so when it is torn")))
             cut = ""  # no knife cuts what is soft with water
@@ -122,7 +125,9 @@ class Preparer(Treater):
         # the table has "trimmed" take out a choke, which only artichokes have: anything else loses but its ends
         trimmed = want.make in word_list("is cut off at the ends")
         earns = self.known.state(want.make).earns & BY_HAND if want.make and not trimmed else frozenset()
-        asked = earns & want.facts.owes.keys() or earns  # hulled: cored, or out of a husk
+        asked = earns & want.facts.owes.keys()
+        if not asked and working(want.make, want.facts) is None:
+            asked = earns  # hulled: cored, or out of a husk
         return owed(want, self.known) | (asked - earned(want, self.known))
 
     def is_mashed_raw(self, want: Want) -> bool:
@@ -223,7 +228,8 @@ class Preparer(Treater):
 
     def _comes_in_pieces(self, want: Want, cut: str) -> bool:
         """Whether a food is taken in pieces since nobody brings such a one into them: then it is not peeled before."""
-        return bool(cut) and not self.is_mashed_raw(want) and self.way_to_cut(want, cut) is None
+        known = working(cut, want.facts) is not None or self.is_mashed_raw(want)
+        return bool(cut) and not known and self.way_to_cut(want, cut) is None
 
     def _is_finer(self, ready: Ready, state: str) -> bool:
         """Whether a food is a powder already, of which nobody makes pieces; it is read as that where it is asked."""
@@ -236,7 +242,7 @@ class Preparer(Treater):
     def _cut(self, ready: Ready, state: str) -> None:
         """Bring a food into pieces of that state, unless it is a powder; where nobody does so, assume it."""
         want = ready.want
-        if self._is_finer(ready, state):
+        if self._is_finer(ready, state) or self.bring_about(ready, state):
             return
         attested = self.way_to_cut(want, state)
         if attested is None:
@@ -248,6 +254,12 @@ class Preparer(Treater):
             carried = self.bench.require([("pick-and-place", ()), ("pour", ())], want.names)
             self.bench.bring([ready.stuff], self.bench.vessel(board), carried)  # nothing is cut in a strainer
         self.bench.act(ready.stuff, attested, (state,), board)
+
+
+def _is_worked_whole(want: Want) -> bool:
+    """Whether a food is asked as hands make it that leave it in one piece: bruised."""
+    how = working(want.make, want.facts)
+    return how is not None and how.whole
 
 
 def _is_served_cut(want: Want) -> bool:
@@ -268,6 +280,8 @@ def _is_cut_first(want: Want, *, alone: bool) -> bool:
 def _is_soaked_first(want: Want) -> bool:
     """Whether a food was dried so hard that a cook lets it soak before anything else is done with it."""
     is_any = want.facts.is_any
+    if want.asked in word_list("is so when it has soaked"):
+        return is_any(word_list("is soaked where it is asked"))
     return is_any(word_list("is soaked first")) and not is_any(word_list("is done without soaking"))
 
 

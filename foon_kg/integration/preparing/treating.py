@@ -7,10 +7,12 @@ is said.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from foon_kg.food import Level
 from foon_kg.food.lists import says, word_list
-from foon_kg.integration.bench import RefusedError, Stuff, Vessel
+from foon_kg.food.workings import Working, working
+from foon_kg.integration.bench import RefusedError, Stuff, Vessel, is_flat
 from foon_kg.integration.preparing.cutting import BOWL, STANDS_FOR, Cutter
 from foon_kg.integration.preparing.preparation import (
     BRINGS,
@@ -24,6 +26,7 @@ from foon_kg.integration.preparing.preparation import (
     Want,
     package_of,
 )
+from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.operators import Attested, Way
 from foon_kg.world.treatment import ADVISED
 
@@ -110,6 +113,36 @@ class Treater(Cutter):
             return want.make
         found = [s for s, row in self.known.states.items() if row.earns == {name}]
         return min(found, key=lambda state: (state.count(" "), state), default=name)
+
+    def bring_about(self, ready: Ready, state: str) -> bool:
+        """Bring a food that gets ``ready`` into ``state``; return whether the table of workings says how."""
+        want, stuff, bench = ready.want, ready.stuff, self.bench
+        how = working(state, want.facts)
+        if how is None or state in stuff.states:
+            return how is not None
+        attested = bench.near_or_far(self._ways_like(how), want.names, act=True)
+        if attested is None:
+            return False
+        if self._is_poured_to(how, stuff):
+            bench.bring([stuff], bench.vessel(how.on), bench.require([("pour", ()), ("scoop", ())], want.names))
+        kept = (one for one in stuff.states if how.whole or not self.known.state(one).undivided)
+        done = replace(attested, way=(how.motion, (how.tool,) if how.tool else ()))
+        bench.act(stuff, done, tuple(sorted({*kept, state})), how.on)
+        ready.read_as = None
+        return True
+
+    def _is_poured_to(self, how: Working, stuff: Stuff) -> bool:
+        """Whether a food comes by itself into the vessel in which it is worked: hands take what is in pieces."""
+        if stuff.at is None or stuff.at.label == how.on:
+            return False
+        loose = form_of(self.known, stuff.label, stuff.states) not in {"whole", "pieces"}
+        return loose if stuff.at.storage else not is_flat(how.on)
+
+    def _ways_like(self, how: Working) -> list[Way]:
+        """Return the ways of the videos that stand for such a working, those with its tool before others."""
+        ways = [way for motion in how.like for way in self.operators.ways_of(motion)]
+        tools = (how.tool,) if how.tool else ()
+        return [way for way in ways if way[1] == tools] or ways
 
     def trim(self, ready: Ready, state: str) -> None:
         """Cut off the ends of a food that gets ``ready``, which makes it ``state``.

@@ -13,6 +13,7 @@ from foon_kg.food import Food, Tables, singular, words
 from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import POWDER, State
 from foon_kg.food.told_states import asked_state, in_turn
+from foon_kg.food.workings import working
 from foon_kg.integration.preparing.entitled import as_entitled, is_bought_so
 from foon_kg.integration.preparing.preparation import (
     BRINGS,
@@ -58,12 +59,22 @@ def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Ope
     first = understood(number, replace(one, state=before[-1]), known, operators)
     if want.cooked and _divides(first.make, known):
         return replace(first, cooked=True, as_written=one.state)
-    divided = want.make if _divides(want.make, known) else ""
+    divided = _divided_then(want, first, last, known)
     if first.cooked:
         return replace(first, then=divided, as_written=one.state)
     if before[-1] in word_list("is in a can"):
         return replace(first, make=divided, as_written=one.state)
     return replace(want, as_written=one.state)
+
+
+def _divided_then(want: Want, first: Want, last: str, known: Tables) -> str:
+    """Return how a food is divided at ``last``, which ``first`` was something else; ``""`` where it is not.
+
+    What is sold ground is bought whole where it is to be toasted before. ``known`` are the tables.
+    """
+    toasted = first.cooked and first.facts.is_any(word_list("is toasted in a pan"))
+    state = last if toasted else want.make
+    return state if _divides(state, known) else ""
 
 
 def _divides(state: str, known: Tables) -> bool:
@@ -114,7 +125,7 @@ def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Op
     plain = _plain_leaf(one.object, facts, state, known)
     want = Want(number, one.object, state, facts, (plain,) if plain else (), facts.sold_in)
     # first what no table of states can know (a crude word, a foam), then sold so, then by heat, then by hand or nobody
-    other = _misread(want) or _foamed(want, known.foods.food(one.object))
+    other = _misread(want) or _worked_or_foamed(want, known)
     if other is not None or not state:
         return other or want
     if facts.sold_as == state:
@@ -213,6 +224,12 @@ def _cut_as(want: Want) -> str:
     return min(word_list("is so when it is cut into it")) if by_hand else ""
 
 
+def _worked_or_foamed(want: Want, known: Tables) -> Want | None:
+    """Return a food that hands bring into the asked state in a way of its own, or a liquid that is whipped."""
+    worked = working(want.asked, want.facts) is not None and not known.state(want.asked).sold
+    return replace(want, make=want.asked) if worked else _foamed(want, known.foods.food(want.label))
+
+
 def _foamed(want: Want, before: Food) -> Want | None:
     """Return a liquid that is asked whipped, ``before`` being what is known of it as it is sold."""
     if want.asked not in word_list("is beaten to a foam") or before.sold_as == want.asked or not before.is_a("liquid"):
@@ -262,7 +279,7 @@ def _is_known_to_be_made(want: Want, form: str, row: State) -> bool | None:
     if _is_too_small_to_be_cut(want, row):
         return False
     if row.earns == RINSED:
-        return form in {"whole", "pieces"} or CANNED in want.leaf
+        return form in {"whole", "pieces"} or CANNED in want.leaf or row.earns <= want.facts.owes.keys()
     return True if _melts(want) or _is_mashed_as_sold(want) else None
 
 
