@@ -47,14 +47,18 @@ class Precooking:
         want, due = join.want, self._due(join.want)
         if not (due or want.cooked):
             return self._warming(join)
-        otherwise = self._otherwise(join)
+        otherwise = self._browned(join) or self._otherwise(join)
         if otherwise:
             return otherwise
-        if want.cooked and want.asked in word_list("only what was cooked is so") and not self.pours(want):
+        if self._was_cooked_before(want):
             return self._usual(want)
         if self._is_cooked_in_turn(join, due) or self._is_eaten_raw_there(want):
             return ()
         return self._as_told(join, due) or self._unless_done_there(join, due)
+
+    def _was_cooked_before(self, want: Want) -> bool:
+        """Whether a food is asked cold, or as it was left over, that somebody has to cook for that."""
+        return want.cooked and want.asked in word_list("only what was cooked is so") and not self.pours(want)
 
     def _is_eaten_raw_there(self, want: Want) -> bool:
         """Whether a dish has such a food raw, though others cook it (the egg of a mayonnaise), and so it is asked."""
@@ -97,9 +101,6 @@ class Precooking:
         What a title calls roasted is baked, flesh for a salad fried whole, and what is divided then as it is asked.
         """
         want, stage = join.want, join.spot.stage
-        browned = self._browned(join)
-        if browned:
-            return browned
         if want.roasted and not _is_done_there(join.spot, {"dry"}):
             return tuple(sorted(word_list("is roasted by")))
         if want.cooked and want.then:
@@ -163,9 +164,8 @@ class Precooking:
         wet = "liquid" in stage.does or self.course.has_liquid([stage])
         if self.is_toasted_in_a_pan(want):
             return _IN_A_PAN if wet or want.then or not stage.heats else ()
-        if want.then or not wet or not stage.heats:
-            return ()
-        return () if _is_done_there(join.spot, {"dry"}) else self._by_fat_or_oven(want)
+        boiled = wet and stage.heats and not _is_done_there(join.spot, {"dry"})
+        return self._by_fat_or_oven(want) if boiled else ()
 
     def _is_asked_of_dry_heat(self, want: Want) -> bool:
         """Whether a food is asked as something hot makes it alone: not what is boiled, nor runs out of its shell."""
@@ -173,6 +173,8 @@ class Precooking:
 
     def _by_fat_or_oven(self, want: Want) -> tuple[str, ...]:
         """Return how a food is cooked by itself that is asked as only a hot pan makes it, or an oven."""
+        if want.then:
+            return ()
         if want.make in word_list("is so in fat"):
             return self._asked_cooking(want) or _IN_A_PAN
         return tuple(sorted(word_list("is roasted by"))) if want.make in word_list("is so in the oven") else ()
