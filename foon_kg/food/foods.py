@@ -23,7 +23,7 @@ _WITH_BONES = re.compile(r"\b(?:bone|skin)[- ](?:in|on)\b,? ?| (?:on|off) the bo
 MOST_LOOKED_UP = 1 << 15
 """So many names, states and motions are remembered with what the tables say of them."""
 
-_MORE = frozenset({"for", "with"})
+_MORE = frozenset({"for", "from", "with"})
 """After these words a name says no more what the food is."""
 
 _OF = frozenset({"al", "alla", "au", "aux", "com", "con", "d", "da", "de", "del", "des", "di", "do", "du", "em", "en"})

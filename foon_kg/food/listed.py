@@ -12,11 +12,25 @@ from foon_kg.food.techniques import Foods, Technique, technique_of
 
 
 @dataclass(frozen=True)
+class Bounds:
+    """Of which foods a run is, and where it begins and ends.
+
+    All of them are ``of`` such foods, the first is one of ``starts``, the last one of ``ends``; none is of ``lacks``,
+    and none of ``apart`` stands next to them.
+    """
+
+    of: tuple[Foods, ...]
+    starts: tuple[Foods, ...]
+    ends: tuple[Foods, ...]
+    lacks: tuple[Foods, ...]
+    apart: tuple[Foods, ...]
+
+
+@dataclass(frozen=True)
 class Run:
     """Foods that a recipe names one after another, and the ``part`` of the dish that they make together.
 
-    ``technique`` has what they need and for which dishes they are. All of them are ``of`` such foods, the first is one
-    of ``starts``, the last one of ``ends``; none is of ``lacks``, and none of ``apart`` stands next to them. Of each
+    ``technique`` has what they need and for which dishes they are; ``bounds`` say which foods they are. Of each
     list of ``again`` one is listed elsewhere as well; ``beside`` are foods of which each list leaves one for the rest.
     The last of them may be ``leaves``, and are for the dish itself, or for ``rest``. It closes the list, or it
     ``opens`` it; then all else is for ``rest``, if there is one, but for the last of it that are ``leaves``.
@@ -25,17 +39,13 @@ class Run:
 
     technique: Technique
     part: str
-    of: tuple[Foods, ...]
-    starts: tuple[Foods, ...]
-    lacks: tuple[Foods, ...]
-    ends: tuple[Foods, ...]
-    apart: tuple[Foods, ...]
+    bounds: Bounds
     beside: tuple[tuple[Foods, ...], ...]
     again: tuple[tuple[Foods, ...], ...]
     leaves: tuple[Foods, ...]
+    rest: str
     opens: bool
     headed: bool
-    rest: str
 
 
 @cache
@@ -46,19 +56,25 @@ def runs() -> tuple[Run, ...]:
 
 def _run(name: str, row: Mapping[str, Any]) -> Run:
     return Run(
-        technique_of(name, {"lines": {}, **row}),
-        row["part"],
-        _foods(row["of"]),
-        _foods(row.get("starts", ("*",))),
-        _foods(row.get("lacks", ())),
-        _foods(row.get("ends", ("*",))),
-        _foods(row.get("apart", ())),
-        tuple(map(_foods, row.get("beside", ()))),
-        tuple(map(_foods, row.get("again", ()))),
-        _foods(row.get("leaves", ())),
-        row.get("opens", False),
-        row.get("headed", False),
-        row.get("rest", ""),
+        technique=technique_of(name, {"lines": {}, **row}),
+        part=row["part"],
+        bounds=_bounds(row),
+        beside=tuple(map(_foods, row.get("beside", ()))),
+        again=tuple(map(_foods, row.get("again", ()))),
+        leaves=_foods(row.get("leaves", ())),
+        rest=row.get("rest", ""),
+        opens=row.get("opens", False),
+        headed=row.get("headed", False),
+    )
+
+
+def _bounds(row: Mapping[str, Any]) -> Bounds:
+    return Bounds(
+        of=_foods(row["of"]),
+        starts=_foods(row.get("starts", ("*",))),
+        ends=_foods(row.get("ends", ("*",))),
+        lacks=_foods(row.get("lacks", ())),
+        apart=_foods(row.get("apart", ())),
     )
 
 

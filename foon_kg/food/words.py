@@ -155,17 +155,30 @@ def without_heading(text: str) -> tuple[str, str]:
 
 
 def heading_part(text: str) -> str:
-    """Return the part of a dish that ``text``, a heading, names; ``""`` where it names none.
+    """Return the part of a dish that ``text``, a heading, names; ``""`` where it names nothing.
 
-    A sauce may be called by its own name.
+    A sauce may be called by its own name. What is no known part is called by the last word that is said of it.
 
     >>> heading_part("For the lemon glaze:"), heading_part("For the hollandaise:"), heading_part("To serve:")
     ('glaze', 'sauce', 'serving')
+    >>> heading_part("For the apple horseradish:")
+    'horseradish'
     """
     said = list(reversed(re.findall(r"[^\W\d_]+", text.lower())))
     named = next((word for word in said if word in _named()), "") or next((_USES[w] for w in said if w in _USES), "")
-    own = (part for part in ("sauce", "salsa") if says(said, f"is a {part} by its name"))
-    return _ALIKE.get(named, named) or next(own, "")
+    other = (word for word in said if word not in word_list("small words"))
+    return _ALIKE.get(named, named) or _named_otherwise(said) or next(other, "")
+
+
+def _named_otherwise(said: Sequence[str]) -> str:
+    """Return the part of which a word that is ``said`` is a name of its own: a raita is a sauce; ``""`` for none."""
+    parts = (part for part in sorted(word_list("has names of its own")) if says(said, f"is a {part} by its name"))
+    return next(parts, "")
+
+
+def is_part(name: str) -> bool:
+    """Return whether ``name`` is that of a part of a dish, or says for what a food is."""
+    return name in _named() or name in word_list("has names of its own") or name in _USES.values()
 
 
 def _named() -> frozenset[str]:

@@ -10,9 +10,10 @@ from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.parted import PART, comes_apart, parts_in
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import Technique
-from foon_kg.integration.composing.assigning import MAIN, line_told
+from foon_kg.food.techniques import Around, Technique
+from foon_kg.integration.composing.assigning import MAIN, line_told, means
 from foon_kg.integration.composing.components import Side, sides_of
+from foon_kg.integration.composing.headed import SIDE
 from foon_kg.integration.composing.techniques import technique_for
 from foon_kg.integration.preparing.preparation import SECOND, Want
 from foon_kg.model import Recipe
@@ -66,13 +67,13 @@ def _parted(
     """Return what components take of foods, and what is left for which technique."""
     title_words = words(recipe.title or "")
     technique = technique_for(recipe.dish_type, title_words, foods, recorded)
-    kept = _for_its_lines(foods, technique)
+    kept = _for_its_lines(foods, technique, title_words)
     rest = [want for want in foods if want not in kept]
     own, sides = sides_of(rest, kept, dishes, recipe.dish_type, recipe.title or "", baked=baked)
     left = technique if own == foods else technique_for(recipe.dish_type, title_words, own, recorded)
     if not _is_named(sides):
         return Apart(foods, own, sides, left)
-    if left is None and _says_what_is_put_on(technique):
+    if left is None and _says_what_is_put_on(technique) and not _is_beside(sides):
         return _with_what_is_served(Apart(foods, foods, (), technique), sides, recipe.dish_type, title_words, recorded)
     return Apart(foods, own, sides, _of_parts(left))
 
@@ -93,12 +94,28 @@ def _is_named(sides: Sequence[Side]) -> bool:
     return any(want.part not in done for side in sides for want in side.wants)
 
 
-def _for_its_lines(foods: Sequence[Want], technique: Technique | None) -> tuple[Want, ...]:
+def _is_beside(sides: Sequence[Side]) -> bool:
+    """Whether a recipe says of all that is made apart that it stands beside the dish: no technique puts that on it."""
+    beside = word_list("is made beside the dish")
+    return all(want.part in beside for side in sides for want in side.wants)
+
+
+def _for_its_lines(foods: Sequence[Want], technique: Technique | None, title_words: Sequence[str]) -> tuple[Want, ...]:
     """Return the foods of which a recipe says that they are for a line of a technique; of a whole one, its foam."""
-    if technique is None or WHOLE in technique.plan:
-        return _foam(foods, technique)
-    lines = technique.lines.keys() - {MAIN}
-    return tuple(want for want in foods if want.part and line_told(want.part, sorted(lines)))
+    if technique is None:
+        return ()
+    side = _headed_in_a_line(technique, foods, Around([want.facts for want in foods], title_words))
+    if WHOLE in technique.plan:
+        return (*_foam(foods, technique), *side)
+    lines = sorted(technique.lines.keys() - {MAIN})
+    return tuple(want for want in foods if want in side or (want.part and line_told(want.part, lines)))
+
+
+def _headed_in_a_line(technique: Technique, foods: Sequence[Want], around: Around) -> Sequence[Want]:
+    """Return what a heading says is made beside a dish, if its technique has a line of its own for the first of it."""
+    side = [want for want in foods if want.part == SIDE]
+    parts = (part for line, some in technique.lines.items() if line != MAIN for part in some)
+    return side if any(means(some, want, around) for part in parts for some in part.foods for want in side[:1]) else ()
 
 
 def _with_what_is_served(

@@ -18,6 +18,7 @@ from foon_kg.food.listed import Run, runs
 from foon_kg.food.lists import word_list
 from foon_kg.food.techniques import Around
 from foon_kg.integration.composing.components import are, have
+from foon_kg.integration.composing.headed import as_headed
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import Recipe, RequiredIngredient
 
@@ -34,6 +35,9 @@ def as_listed(
 ) -> tuple[Recipe, tuple[Want, ...], tuple[Inferred, ...]]:
     """Return a ``recipe`` with the parts that its list tells, its foods as ``understand`` reads them, and the parts."""
     wants = understand(recipe.ingredients)
+    headed = as_headed(recipe, wants)
+    if headed is not recipe:
+        recipe, wants = headed, understand(headed.ingredients)
     inferred = parts_inferred(wants, recipe)
     if not inferred:
         return recipe, wants, ()
@@ -112,10 +116,10 @@ class _Listed:
 
     def _is(self, run: Run, found: Sequence[Want], rest: Sequence[Want]) -> bool:
         """Whether the foods ``found`` side by side are such a run, and the ``rest`` is what it stands beside."""
-        around, technique = self.around, run.technique
-        if not are(run.starts, found[0], around) or not are(run.ends, found[-1], around):
+        around, technique, bounds = self.around, run.technique, run.bounds
+        if not are(bounds.starts, found[0], around) or not are(bounds.ends, found[-1], around):
             return False
-        if any(are(run.lacks, want, around) for want in found):
+        if any(are(bounds.lacks, want, around) for want in found):
             return False
         if any(are(technique.without, want, around) for want in self.all):
             return False
@@ -123,7 +127,7 @@ class _Listed:
 
     def _begins_anew(self, run: Run, found: Sequence[Want], rest: Sequence[Want]) -> bool:
         """Whether what is ``found`` is told from the ``rest``: by what is named in both, and what stands next to it."""
-        if are(run.apart, rest[0] if run.opens else rest[-1], self.around):
+        if are(run.bounds.apart, rest[0] if run.opens else rest[-1], self.around):
             return False
         return have(run.again, found, self.around) and have(run.again, rest, self.around)
 
@@ -145,7 +149,7 @@ def _alike(run: Run, wants: Sequence[Want], around: Around) -> int:
     for want in wants:
         label = singular(want.label)
         twice = label in (seen[:-1] if want.facts.is_any(word_list("is pressed for its juice")) else seen)
-        if twice or not are(run.of, want, around):
+        if twice or not are(run.bounds.of, want, around):
             break
         seen.append(label)
     return len(seen)
