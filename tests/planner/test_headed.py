@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from planner.told_steps import inside, motions
+from planner.told_steps import first, inside, motions
 
 from foon_kg.food.words import heading_part
 
@@ -85,3 +85,29 @@ def test_fruit_under_the_heading_of_a_jam_is_cooked_before_a_dough_is_closed_aro
     assert {"pineapple", "sugar"} <= inside(told, "cook and stir")
     assert inside(told, "knead").isdisjoint({"pineapple", "sugar"})
     assert "brush" in motions(told)
+
+
+def test_what_comes_from_another_work_is_no_food_that_is_peeled_and_chopped(steps):
+    told = steps(
+        "pie", "Empanada gallega", "flour:plain:dough", "yeast:fresh:dough", "oil from frying the onions:liquid:dough",
+        "water:warm:dough", "onions:chopped:filling", "red pepper:chopped:filling", "tuna:drained:filling",
+    )  # fmt: skip
+    touched = {motion for inputs, motion, _ in told if "oil from frying the onions" in inputs}
+    assert touched.isdisjoint({"peel", "chop", "slice", "mince"})
+    assert "onions" in _together(told, "cook and stir")
+
+
+def test_the_liquid_of_a_food_is_taken_from_the_pot_in_which_that_boiled(steps):
+    told = steps(
+        "salad", "Rosolli", "beetroots:boiled, diced", "potatoes:boiled, diced", "onion:chopped", "gherkins:diced",
+        *(f"{food}:liquid:dressing" for food in ("whipping cream", "white wine vinegar", "beetroot cooking liquid")),
+    )  # fmt: skip
+    (taken,) = [place for place, (_, _, outputs) in enumerate(told) if _is_taken(outputs)]
+    drained = next(place for place, (inputs, _, _) in enumerate(told) if {"beetroots", "strainer"} <= inputs)
+    assert first(told, "beetroots", "cook") < taken < drained
+
+
+def _is_taken(outputs):
+    """Return whether a step takes some of the water out of a pot."""
+    labels = {node.label for node in outputs}
+    return {"pot", "measuring cup"} <= labels

@@ -57,6 +57,18 @@ def test_rolls_are_baked_for_patties_and_doubled_they_are_no_fried_bread(steps):
     assert not {"flour", "yeast"} & heated_with(told, "ground beef")
 
 
+def test_what_a_recipe_lists_behind_the_bread_lies_on_patties_and_is_not_in_them(steps):
+    told = steps("burger", "Street Burger", "ground beef:uncooked", "onion:minced", "salt:granulated", "buns:whole",
+                 "cabbage:shredded", "carrot:grated", "crispy fried onions:crumbs", "ketchup:sauce")  # fmt: skip
+    assert inside(told, "mix") == {"ground beef", "onion", "salt"}
+    assert not {"cabbage", "carrot", "crispy fried onions"} & heated_with(told, "ground beef")
+
+
+def test_where_a_raw_egg_stands_behind_the_bread_a_recipe_lists_in_no_order(steps):
+    told = steps("burger", "Burgers", "ground beef:uncooked", "buns:whole", "breadcrumbs:crumbs", "egg:uncooked")
+    assert inside(told, "mix") == {"ground beef", "breadcrumbs", "egg"}
+
+
 def test_fish_and_potatoes_are_boiled_and_mashed_for_cakes_in_crumbs(steps):
     told = steps("seafood", "Salmon Fishcakes", "potatoes:peeled", "salmon:raw", "flour:powder", "egg:beaten",
                  "breadcrumbs:crumbs", "oil:liquid")  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
@@ -160,10 +161,20 @@ class _CookedApart:
     def _is_bound(self, want: Want) -> bool:
         """Whether a food is mixed into what is shaped."""
         cut = fineness((want.make, *want.leaf), self.known)
-        if not self.shaped:
+        if not self.shaped or self._is_listed_behind_bread(want):
             return False
         binds = self._binds(want, cut) and not want.facts.is_any(word_list("lies on patties"))
         return binds or self._is_listed_inside(want, cut)
+
+    def _is_listed_behind_bread(self, want: Want) -> bool:
+        """Whether a recipe lists a food behind the bread and what is shaped before it: that lies on it.
+
+        Where a raw egg stands behind the bread, it lists in no such order.
+        """
+        bread = min(self._places("carries what is stacked"), default=math.inf)
+        shaped = max((place for one in self.main for place in one.want.places), default=math.inf)
+        raw = [place for one in self.raw if one not in self.main for place in one.want.places]
+        return shaped < bread < min(want.places, default=-1) and not any(place > bread for place in raw)
 
     def _binds(self, want: Want, cut: int) -> bool:
         """Whether a food holds a mass together, or is a vegetable so small that it is held by that."""

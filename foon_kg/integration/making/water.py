@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from foon_kg.food import Tables
+from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff, Vessel
 from foon_kg.integration.making.outcome import says_raw
-from foon_kg.integration.preparing.preparation import Ready
+from foon_kg.integration.preparing.preparation import Ready, Want
 from foon_kg.integration.teaching.operators import Attested
 
 TAP, JUG = "faucet", "measuring cup"
@@ -71,8 +71,10 @@ class Water:
 
     def drain(self, pot: Vessel, strainer: Vessel, stuffs: Sequence[Stuff]) -> None:
         """Pour a pot into a strainer: ``stuffs`` stay there, the water is gone, save what is asked of it."""
-        while self.kept:  # of the first water that is poured away
-            self._keep_some(pot, self.kept.pop())
+        mine = [ready for ready in self.kept if self._is_of(ready.want, stuffs)]
+        for ready in mine:
+            self.kept.remove(ready)
+            self._keep_some(pot, ready)
         foods = tuple(dict.fromkeys(food for stuff in stuffs for food in stuff.foods))
         drained = self.bench.require([("drain", ()), ("pour", ())], foods)
         dissolved = [stuff for stuff in stuffs if self._dissolves(stuff)]
@@ -90,6 +92,11 @@ class Water:
                 kept[0].wants |= stuff.wants
 
         self.bench.emit(drained, [pot, *stuffs, strainer], change, [strainer, *kept, pot])
+
+    def _is_of(self, water: Want, stuffs: Sequence[Stuff]) -> bool:
+        """Whether some of the water in which ``stuffs`` boiled is asked: what is called so, or after one of them."""
+        named = set(words(water.label))
+        return self.known.foods.is_listed(water.label) or any(named & {*words(stuff.label)} for stuff in stuffs)
 
     def _keep_some(self, pot: Vessel, ready: Ready) -> None:
         """Take some of the water of a pot, which is asked under a name of its own, before it is poured away."""
