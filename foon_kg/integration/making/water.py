@@ -71,10 +71,7 @@ class Water:
 
     def drain(self, pot: Vessel, strainer: Vessel, stuffs: Sequence[Stuff]) -> None:
         """Pour a pot into a strainer: ``stuffs`` stay there, the water is gone, save what is asked of it."""
-        mine = [ready for ready in self.kept if self._is_of(ready.want, stuffs)]
-        for ready in mine:
-            self.kept.remove(ready)
-            self._keep_some(pot, ready)
+        self._keep_what_is_asked(pot, stuffs)
         foods = tuple(dict.fromkeys(food for stuff in stuffs for food in stuff.foods))
         drained = self.bench.require([("drain", ()), ("pour", ())], foods)
         dissolved = [stuff for stuff in stuffs if self._dissolves(stuff)]
@@ -92,6 +89,12 @@ class Water:
                 kept[0].wants |= stuff.wants
 
         self.bench.emit(drained, [pot, *stuffs, strainer], change, [strainer, *kept, pot])
+
+    def _keep_what_is_asked(self, pot: Vessel, stuffs: Sequence[Stuff]) -> None:
+        """Take out of a pot what is asked of the water in which ``stuffs`` boiled."""
+        for ready in [ready for ready in self.kept if self._is_of(ready.want, stuffs)]:
+            self.kept.remove(ready)
+            self._keep_some(pot, ready)
 
     def _is_of(self, water: Want, stuffs: Sequence[Stuff]) -> bool:
         """Whether some of the water in which ``stuffs`` boiled is asked: what is called so, or after one of them."""
