@@ -161,20 +161,20 @@ class _CookedApart:
     def _is_bound(self, want: Want) -> bool:
         """Whether a food is mixed into what is shaped."""
         cut = fineness((want.make, *want.leaf), self.known)
-        if not self.shaped or self._is_listed_behind_bread(want):
+        if not self.shaped or self._is_listed_behind_the_carrier(want):
             return False
         binds = self._binds(want, cut) and not want.facts.is_any(word_list("lies on patties"))
         return binds or self._is_listed_inside(want, cut)
 
-    def _is_listed_behind_bread(self, want: Want) -> bool:
-        """Whether a recipe lists a food behind the bread and what is shaped before it: that lies on it.
+    def _is_listed_behind_the_carrier(self, want: Want) -> bool:
+        """Whether a recipe lists a food behind what carries the rest, and what is shaped before: that lies on it.
 
-        Where a raw egg stands behind the bread, it lists in no such order.
+        Where something raw stands there that needs heat, it lists in no such order.
         """
-        bread = min(self._places("carries what is stacked"), default=math.inf)
+        carrier = min(self._places("carries what is stacked"), default=math.inf)
         shaped = max((place for one in self.main for place in one.want.places), default=math.inf)
         raw = [place for one in self.raw if one not in self.main for place in one.want.places]
-        return shaped < bread < min(want.places, default=-1) and not any(place > bread for place in raw)
+        return shaped < carrier < min(want.places, default=-1) and not any(place > carrier for place in raw)
 
     def _binds(self, want: Want, cut: int) -> bool:
         """Whether a food holds a mass together, or is a vegetable so small that it is held by that."""
