@@ -23,8 +23,14 @@ _WITH_BONES = re.compile(r"\b(?:bone|skin)[- ](?:in|on)\b,? ?| (?:on|off) the bo
 MOST_LOOKED_UP = 1 << 15
 """So many names, states and motions are remembered with what the tables say of them."""
 
-_MORE = frozenset({"for", "from", "with"})
+_MORE = frozenset({"for", "with"})
 """After these words a name says no more what the food is."""
+
+_OUT_OF = frozenset({"from", "off"})
+"""Before these words stands what came of another food: fat from the roast is no roast."""
+
+_LEFT_OF_COOKING = frozenset({"fat", "water"})
+"""Traits of what comes of another food in the heat; meat from a crab is crab, and juice of a lemon is lemon."""
 
 _OF = frozenset({"al", "alla", "au", "aux", "com", "con", "d", "da", "de", "del", "des", "di", "do", "du", "em", "en"})
 """Before these words names of other languages say what the food is: caldo de pollo is no chicken."""
@@ -139,6 +145,10 @@ class FoodTable:
             return listed
         if more := _before(own, _MORE):  # tomatoes with green chilies are tomatoes, pastry for a pie is pastry
             return self._find(" ".join(more))
+        if rest := _before(own, _OUT_OF):
+            left = self._find(" ".join(rest))
+            if not self.kinds.get(left[0], UNKNOWN).traits.isdisjoint(_LEFT_OF_COOKING):
+                return left
         found = self._listed_among(_heads(own), Match.HEAD)
         return found or self._by_ending(own) or self._listed_among(_phrases(own), Match.PART) or _NOT_FOUND
 

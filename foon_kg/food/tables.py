@@ -197,7 +197,7 @@ class Tables:
         own, named = _without(words(text)), False
         for start, end in _spans(own):
             name = " ".join(own[start:end])
-            if name not in self.dishes:
+            if name not in self.dishes or not _is_in_its_number(name, text):
                 continue
             named = True
             # a part of a word counts, too: the type cake says nothing beside the title cheesecake
@@ -223,6 +223,12 @@ class Tables:
         """
         last = max((at for at in range(end, len(own)) if own[at] in types and self.dishes[own[at]].is_type), default=-1)
         return last >= end and not says(own[end:last], "names another dish or food")
+
+
+def _is_in_its_number(name: str, text: str) -> bool:
+    """Whether a name, unless it is one only in the plural, stands so in a text: a fry is no dish of fries."""
+    plurals = {one for one in word_list("names a dish only in the plural") if singular(one) == name}
+    return not plurals or not plurals.isdisjoint(text.lower().split())
 
 
 def _finest(states: Iterable[State]) -> int | None:

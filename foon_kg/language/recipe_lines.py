@@ -35,6 +35,8 @@ _REMEMBERED = 20_000
 _MANY = 200  # lines for the parser: a second of work, which starting a process costs as well
 _AT_ONCE = 32
 _NUMBER = re.compile(r"(?a:(?:\d{1,4} )?[1-9]\d{0,3}/[1-9]\d{0,3}|[1-9]\d{0,3})(?= [a-z])")
+_HALF = re.compile(r"\b(?:half|1/2|\u00bd) (?:of )?an? (?!dozen)(?=[a-z])", re.IGNORECASE)
+_PRESSED_FROM = re.compile(r"\b(juice|zest) (?:from|out of) (?=[a-z\d\u00bc-\u00be])", re.IGNORECASE)
 _NAAN = re.compile(r"\bnan\b", re.IGNORECASE)
 """The bread in the spelling that is also a word for what is no number: the parser stumbles over it."""
 
@@ -108,7 +110,8 @@ def _read(line: str) -> RecipeLine:
 
 def read_fully(line: str) -> RecipeLine:
     """Return what the parser reads in a line. One that differs only in its number from an earlier one costs little."""
-    text = without_heading(_NAAN.sub("naan", " ".join(line.split())))[0]
+    text = _HALF.sub("1/2 ", _NAAN.sub("naan", " ".join(line.split())))
+    text = without_heading(_PRESSED_FROM.sub(r"\1 of ", text))[0]
     text = _portions().sub(" ", text, count=1)
     number = _NUMBER.match(text)
     if number is None:

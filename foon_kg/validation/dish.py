@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from foon_kg.food import Match, is_unbaked, singular, words
 from foon_kg.food.lists import says, word_list
 from foon_kg.food.parted import parts_asked
-from foon_kg.food.rows import Dish
+from foon_kg.food.rows import Dish, Food
 from foon_kg.food.told_states import in_turn
 from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.validation.case import Case, names, was_taken_out
@@ -71,7 +71,7 @@ def _called_too_early(case: Case, goal: ObjectNode) -> Iterator[Finding]:
 
 def _lacks(case: Case, node: ObjectNode, needs: tuple[str, ...]) -> bool:
     """Whether a node tells of its foods, and none of these is or holds what is needed."""
-    foods = [case.tables.foods.food(name) for name in node.ingredients]
+    foods = [food for name in node.ingredients for food in _foods_called(case, name)]
     there = any(food.is_a("made") or any(meets(one, food, case.tables) for one in needs) for food in foods)
     return bool(foods) and not there
 
@@ -161,11 +161,15 @@ def _is_blended_raw(case: Case, dish: Dish) -> bool:
 
 
 def _is_flat(case: Case, dish: Dish) -> bool:
-    """Whether a dish that may be made in a pan was rolled thin, and nothing is in it that raises it."""
+    """Whether a dish that may be made in a pan was a batter, or was rolled thin and nothing in it raises it."""
+    if dish.name not in word_list("is done in a pan where it is flat") or not _was_hot(case):
+        return False
+    table = case.tables.foods
+    if any(table.food(lump.label).kind == "batter" for played_step in case.played_steps for lump in played_step.made):
+        return True
     raises = word_list("makes dough rise") | {"egg", "leaven"}
-    flat = dish.name in word_list("is done in a pan where it is flat") and _was_hot(case)
     thin = any(played_step.does("shape") for played_step in case.played_steps)
-    return flat and thin and not any(part.food.is_any(raises) for part in case.parts)
+    return thin and not any(part.food.is_any(raises) for part in case.parts)
 
 
 def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
@@ -196,6 +200,11 @@ def missing_namesakes(case: Case, label: str) -> Iterator[str]:
         if any(not _has_one(case, needs) for needs in own):
             yield dish.name
     yield from (food for food in namesakes(case, label) if not _is_in(case, food))
+
+
+def _foods_called(case: Case, name: str) -> list[Food]:
+    """Return what is known of the foods of a name that are in the dish, in their states; else of the name alone."""
+    return [part.food for part in case.parts_by_name.get(singular(name), ())] or [case.tables.foods.food(name)]
 
 
 def _has_one(case: Case, needs: tuple[str, ...]) -> bool:
@@ -262,7 +271,8 @@ def asked(case: Case) -> Iterator[Finding]:
     if case.dish is None:
         return
     yield from _unparted(case)
-    beside, outside = _for_serving(case), _only_for(case, "is for the outside")
+    beside = _for_serving(case)
+    apart = _only_for(case, "is for the outside") | _only_for(case, "is for what is done")
     for food in sorted(case.required_names):
         parts = _parts_of(case, food)
         if not parts:
@@ -272,7 +282,7 @@ def asked(case: Case) -> Iterator[Finding]:
         elif food in beside:
             if _is_cooked_needlessly(parts):
                 yield Finding("K6", f"{food} is for serving and is cooked with the rest", parts[0].heated)
-        elif food not in outside and _is_left_out(case, parts):
+        elif food not in apart and _is_left_out(case, parts):
             yield Finding("K6", f"{food} is not mixed with the rest", parts[0].joined)
 
 

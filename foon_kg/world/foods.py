@@ -85,7 +85,11 @@ def _is_left_over(out: Outcome, one: NodeReading) -> bool:
     """Whether a food output is what nobody eats: a skin, or what is left of what was squeezed for its juice."""
     if one.remains:
         return True
-    juices = [other for other in out.said if other.utensil is None and out.is_liquid(other)]
+    came_in = {lump.label for lump in out.played_step.inputs}  # the broth around a roast is not its juice
+    juices = [
+        other for other in out.said
+        if other.utensil is None and out.is_liquid(other) and other.label not in came_in
+    ]  # fmt: skip
     return out.played_step.does("separate") and bool(juices) and not out.is_liquid(one) and _named_twice(out, one)
 
 
@@ -276,8 +280,9 @@ def _without_output(out: Outcome, lumps: Sequence[Lump]) -> list[Lump]:
 
 
 def _is_named(one: NodeReading, lump: Lump) -> bool:
-    """Whether an output names a food, or a part of it, among its ingredients."""
-    return not one.names.isdisjoint(lump.names | {part.name for part in lump.parts})
+    """Whether an output is called like a part of a food, or names it or a part of it among its ingredients."""
+    parts = {part.name for part in lump.parts}
+    return one.label in parts or not one.names.isdisjoint(lump.names | parts)
 
 
 def _join_all(out: Outcome, lump: Lump) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -119,3 +120,17 @@ def test_a_plural_that_is_not_listed_is_of_the_vegetable_and_the_bone_is_no_food
 
 def test_letters_of_their_own_are_read_as_plain_ones():
     assert words("\u0130mam bay\u0131ld\u0131, gołąbki") == words("Imam bayildi, golabki")
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [
+        ("fat from the roast", "fat"),
+        ("oil from frying the onions", "oil"),
+        ("mushroom soaking liquid", "water"),
+        ("leaves from thyme", "dried herb"),
+        ("meat from 2 crabs", "crab"),
+    ],
+)
+def test_what_is_left_of_cooking_is_not_what_was_cooked(name, kind):
+    assert FOODS.food(name).kind == kind

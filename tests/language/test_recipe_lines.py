@@ -39,6 +39,9 @@ def read(line):
         ("1 lb ground beef", "ground beef", "", "1", "lb"),
         ("1 head romaine lettuce, torn into bite-size pieces", "romaine lettuce", "torn", "1", "head"),
         ("juice of 1 lemon", "lemon", "juice", "1", ""),
+        ("juice of half a lemon", "lemon", "juice", "1/2", ""),
+        ("juice from 1/2 a lime", "lime", "juice", "1/2", ""),
+        ("half an onion, chopped", "onion", "chopped", "1/2", ""),
     ],
 )
 def test_a_line_becomes_food_state_quantity_and_unit(line, food, state, quantity, unit):
