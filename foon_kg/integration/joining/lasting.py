@@ -37,6 +37,16 @@ def _takes_hours(join: Join) -> bool:
     return _is_said_tough(want.label) or not facts.is_any(word_list("is tender in half an hour"))
 
 
+def is_braised(join: Join) -> bool:
+    """Return whether an asked food stays tough in a pan, and is cooked in a liquid: a shank, and no slices of it."""
+    want = join.want
+    if any("dry" in stage.does for stage in join.spot.after):
+        return False  # it has its hours in the oven
+    tough = want.facts.is_any(word_list("is flesh")) and says(words(want.label), "is tough until it is braised")
+    thin = says((want.asked, want.make), "is thin enough to fry") or says(words(want.label), "is fried as it is cut")
+    return tough and not thin and not want.cooked and "cook" in want.facts.owes
+
+
 def _is_said_tough(label: str) -> bool:
     """Whether the name of a food says that it is for a stew."""
     return says(words(label), "is said of what takes hours")

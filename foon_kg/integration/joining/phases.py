@@ -37,7 +37,7 @@ from foon_kg.integration.joining.additions import (
     untoasted,
 )
 from foon_kg.integration.joining.course import WORKS, Plan
-from foon_kg.integration.joining.lasting import as_long_as_needed
+from foon_kg.integration.joining.lasting import as_long_as_needed, is_braised
 from foon_kg.integration.joining.patterns import STIR
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.preparing.preparation import Want
@@ -285,7 +285,9 @@ class _Phaser:
         """Return the free water of the video where something has to cook in it that is not fried."""
         if any_is(self.plan.joins, "water"):
             return None
-        one_pot, boils = self.plan.one_pot, any(_has_to_boil_here(join.want) for join in vessel.joins)
+        one_pot = self.plan.one_pot
+        boils = any(_has_to_boil_here(join.want) for join in vessel.joins)
+        boils = boils or (not self.plan.stacked and any(map(is_braised, vessel.within)))
         if fat and not one_pot and not boils:
             return None
         if vessel.water is None and (one_pot or boils):
