@@ -26,6 +26,12 @@ def is_soaked_up(joins: Sequence[Join], title_words: Sequence[str]) -> bool:
     return (in_one or _are_small(raw)) and any(join.want.facts.is_of(*liquids) for join in joins)
 
 
+def are_only_boiled(joins: Sequence[Join]) -> bool:
+    """Return whether ``joins`` are boiled as they are bought, with salt at most: nothing of them is kneaded before."""
+    boiled = word_list("is boiled by itself") | word_list("is in what is boiled by itself")
+    return bool(joins) and all(join.want.facts.is_any(boiled) for join in joins)
+
+
 def _is_raw_and_swells(join: Join) -> bool:
     want = join.want
     return want.facts.is_any(word_list("swells")) and "boil" in want.facts.owes and not want.cooked

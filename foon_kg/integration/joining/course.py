@@ -115,14 +115,22 @@ class Course:
 
     def is_hot(self, stage: Stage) -> bool:
         """Return whether the vessel of ``stage`` is hot already when foods join there."""
+        return bool(self.heated_before(stage))
 
-        def before(line: Line) -> bool:
+    def heated_before(self, stage: Stage) -> list[Stage]:
+        """Return the stages at which the vessel of ``stage`` was heated with something in it."""
+
+        def before(line: Line) -> list[Stage]:
             place = place_among(line.stages, stage)
             if place is not None:
-                return any("heat" in one.does for one in line.stages[:place] if self.stage_alive(one))
-            return any(before(add) for one in line.stages for add in one.lines)
+                return [one for one in line.stages[:place] if "heat" in one.does and self.stage_alive(one)]
+            return next(filter(None, (before(add) for one in line.stages for add in one.lines)), [])
 
         return before(self.line)
+
+    def joins_of(self, line: Line) -> list[Join]:
+        """Return the foods that join the stages of ``line``, those of the lines that join it left out."""
+        return [join for stage in line.stages for join in self.ordered(stage)]
 
     def follows_heat(self, stage: Stage) -> bool:
         """Return whether something is heated before foods join ``stage``: on its line, or one that has joined that."""

@@ -38,12 +38,12 @@ def _takes_hours(join: Join) -> bool:
 
 
 def is_braised(join: Join) -> bool:
-    """Return whether an asked food stays tough in a pan, and is cooked in a liquid: a shank, and no slices of it."""
+    """Return whether the food of ``join`` stays tough in a pan, and is cooked in a liquid: a shank, not its slices."""
     want = join.want
     if any("dry" in stage.does for stage in join.spot.after):
         return False  # it has its hours in the oven
     tough = want.facts.is_any(word_list("is flesh")) and says(words(want.label), "is tough until it is braised")
-    thin = says((want.asked, want.make), "is thin enough to fry") or says(words(want.label), "is fried as it is cut")
+    thin = says((want.asked, want.make), "is thin enough for a pan") or says(words(want.label), "is fried as it is cut")
     return tough and not thin and not want.cooked and "cook" in want.facts.owes
 
 

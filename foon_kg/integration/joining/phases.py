@@ -285,14 +285,17 @@ class _Phaser:
         """Return the free water of the video where something has to cook in it that is not fried."""
         if any_is(self.plan.joins, "water"):
             return None
-        one_pot = self.plan.one_pot
-        boils = any(_has_to_boil_here(join.want) for join in vessel.joins)
-        boils = boils or (not self.plan.stacked and any(map(is_braised, vessel.within)))
-        if fat and not one_pot and not boils:
+        boils = self.plan.one_pot or self._boils(vessel)
+        if fat and not boils:
             return None
-        if vessel.water is None and (one_pot or boils):
+        if vessel.water is None and boils:
             return Slot("water", "water")  # there is no such dish without a liquid
         return vessel.water
+
+    def _boils(self, vessel: VesselOverHeat) -> bool:
+        """Whether something in a vessel is not done unless it cooks in a liquid."""
+        braised = not self.plan.stacked and any(map(is_braised, vessel.within))
+        return braised or any(_has_to_boil_here(join.want) for join in vessel.joins)
 
     def _as_a_whole(self, additions: Sequence[Addition], within: Sequence[Join], *, bath: bool) -> list[Addition]:
         """Return ``additions`` with grain beside water, and eggs before rice and noodles, or after them in a sauce.

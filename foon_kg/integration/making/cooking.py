@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, is_heated
 from foon_kg.integration.composing.toppings import with_toppings_last
 from foon_kg.integration.joining.course import Course, Plan
 from foon_kg.integration.joining.phases import in_phases
@@ -98,12 +98,20 @@ class Cooking:
             self.boiled_late[number] = method
         else:
             self.alone.cook_first(join, method)
+            self._rinse_what_waits(join.spot.stage, [join])
+
+    def _rinse_what_waits(self, stage: Stage, joins: Sequence[Join]) -> None:
+        """Rinse what was boiled and drained for a stage, where it waits until other foods are fried."""
+        if len(joins) == 1 and self.stages.is_fried_once_boiled(stage, joins):
+            ready = self.ready[joins[0].want.number]
+            if not ready.stuff.mixed and is_heated(ready.stuff.states, self.known):
+                self.alone.preparer.rinse(ready, "washed")
 
     def _waits_for_the_rest(self, join: Join) -> bool:
         """Whether a food is boiled by itself when its sauce is ready, or what it is served beside."""
         stage, facts = join.spot.stage, join.want.facts
         if facts.is_any(word_list("is boiled by itself")):
-            return self.stages.is_boiled_late(stage)
+            return self.stages.is_boiled_late(join)
         beside = facts.is_any(word_list("is boiled when the rest is ready"))
         return beside and self.stages.is_served_beside(stage)
 
@@ -148,6 +156,8 @@ class Cooking:
             vessel = self._run(line, after=(turn.stage, *turn.later))
             if vessel is not None:
                 made[id(line)] = vessel
+            if self.stages.is_drained(line):
+                self._rinse_what_waits(turn.stage, self.course.joins_of(line))
 
     def _make_late(self, turn: Turn, vessel: Vessel | None, made: dict[int, Vessel], late: Collection[int]) -> None:
         """Make what waited until now, and boil what waited for its sauce; meanwhile that is off the heat."""

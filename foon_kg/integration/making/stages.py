@@ -14,12 +14,16 @@ from foon_kg.food.parted import PART
 from foon_kg.food.rows import MINCED
 from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_baked, is_flat, is_heated
 from foon_kg.integration.composing.coated import is_portion
+from foon_kg.integration.composing.swelling import are_only_boiled
 from foon_kg.integration.joining.course import MIXES, WORKS, Course, Plan
-from foon_kg.integration.joining.spots import Join, only_carries
+from foon_kg.integration.joining.spots import Join, any_is, only_carries
 from foon_kg.integration.making.consistency import is_loose_in_liquid
 from foon_kg.integration.making.turns import Turn
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import BATH, HEATS, THINNED, Line, Phase, Slot, Stage, Steamed
+
+_LONG = 2
+"""What was heated so often in a pan takes longer than pasta does."""
 
 
 class Stages:
@@ -37,10 +41,26 @@ class Stages:
         """
         return isinstance(stage, Phase) and stage.bath and not self.plan.one_pot
 
-    def is_boiled_late(self, stage: Stage) -> bool:
-        """Return whether what ``stage`` boils by itself is boiled only when what it joins is ready: a sauce, a soup."""
+    def is_boiled_late(self, join: Join) -> bool:
+        """Return whether the food of ``join`` is boiled by itself only when what it joins is ready: a sauce, a soup."""
+        stage = join.spot.stage
         after = not self.plan.stacked and self.course.follows_heat(stage)
-        return self.waits_for_sauce(stage) or (after and (self.plan.one_pot or not stage.heats))
+        waits = self.waits_for_sauce(stage) or self._waits_for_pan(stage, [join])
+        return waits or (after and (self.plan.one_pot or not stage.heats))
+
+    def is_fried_once_boiled(self, stage: Stage, joins: Sequence[Join]) -> bool:
+        """Return whether of ``joins``, boiled and drained for ``stage``, something waits for what is fried before."""
+        clumps = any_is(joins, *word_list("is rinsed before it is fried"))
+        return clumps and _is_dry_phase(stage) and self.course.is_hot(stage)
+
+    def _waits_for_pan(self, stage: Stage, joins: Sequence[Join]) -> bool:
+        """Whether what is boiled and drained is so only when the sauce in a pan is ready, which takes longer."""
+        if self.plan.stacked or not _is_dry_phase(stage) or self._is_asked(*word_list("is rinsed before it is fried")):
+            return False
+        pan = self.course.heated_before(stage)
+        before = self.course.joins_of(Line(tuple(pan)))
+        quick = any_is(before, *word_list("is done in a moment"))
+        return len(pan) >= _LONG and not quick and are_only_boiled(joins)
 
     def is_served_beside(self, stage: Stage) -> bool:
         """Return whether what joins at ``stage`` comes hot beside what was cooked before, and is cooked no more."""
@@ -58,11 +78,12 @@ class Stages:
         return frozenset(map(id, [*late, *_out_of_hot_pans(line.stages)]))
 
     def _waits(self, stage: Stage, line: Line) -> bool:
-        return (self.waits_for_sauce(stage) and self.is_drained(line)) or self._makes_foam(line)
+        waits = self.waits_for_sauce(stage) or self._waits_for_pan(stage, self.course.joins_of(line))
+        return (waits and self.is_drained(line)) or self._makes_foam(line)
 
     def _makes_foam(self, line: Line) -> bool:
         """Whether a line beats egg whites or cream to a foam, which falls if it is made too early."""
-        joins = [join for stage in line.stages for join in self.course.ordered(stage)]
+        joins = self.course.joins_of(line)
         foams = any(join.want.part == PART or join.want.foamed for join in joins)
         return foams and any("whip" in stage.does for stage in line.stages)
 
@@ -339,6 +360,11 @@ class Stages:
         dish = row is not None and row.group in word_list("is served in what it is baked in")
         baked = any(map(is_baked, vessel.contents))
         return ends and dish and baked and not self.plan.tin and not self.plan.laid and self.has_no_portions()
+
+
+def _is_dry_phase(stage: Stage) -> bool:
+    """Whether foods fry at a stage, in their turn, and none of them boils."""
+    return isinstance(stage, Phase) and not stage.bath
 
 
 def _is_over_heat(line: Line) -> bool:
