@@ -17,6 +17,7 @@ from functools import lru_cache
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.told_states import asked_state
+from foon_kg.language.foreign_units import with_english_units
 from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
 from foon_kg.language.several_foods import of_one_fruit
 from foon_kg.model.names import canonical
@@ -106,7 +107,7 @@ def is_measure(word: str) -> bool:
 
 def read_quickly(line: str) -> RecipeLine | None:
     """Return what ``line`` asks for, or ``None`` where a word of it leaves any doubt."""
-    match = _LINE.fullmatch(" ".join(line.split()))
+    match = _LINE.fullmatch(with_english_units(" ".join(line.split())))
     if match is None:
         return None
     quantity = _sum(match["quantity"])

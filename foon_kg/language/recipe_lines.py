@@ -24,6 +24,7 @@ from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.told_states import asked_state
 from foon_kg.food.words import without_heading
+from foon_kg.language.foreign_units import with_english_units
 from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
 from foon_kg.language.plain_lines import read_quickly
 from foon_kg.language.several_foods import with_all_foods, without_mere_states
@@ -111,7 +112,7 @@ def _read(line: str) -> RecipeLine:
 def read_fully(line: str) -> RecipeLine:
     """Return what the parser reads in a line. One that differs only in its number from an earlier one costs little."""
     text = _HALF.sub("1/2 ", _NAAN.sub("naan", " ".join(line.split())))
-    text = without_heading(_PRESSED_FROM.sub(r"\1 of ", text))[0]
+    text = with_english_units(without_heading(_PRESSED_FROM.sub(r"\1 of ", text))[0])
     text = _portions().sub(" ", text, count=1)
     number = _NUMBER.match(text)
     if number is None:
