@@ -133,8 +133,15 @@ def _more_than_a_bite(case: Case) -> Iterator[Finding]:
         return
     for part in case.parts:
         small = says(words(part.name), "is a small one")
+        small = small or _is_asked_in_soft_halves(case, part)
         if part.fine == _HALVED and not small and part.food.is_any(word_list("is more than a bite in halves")):
             yield Finding("K2", f"half of one {part.name} is more than a bite", minor=True)
+
+
+def _is_asked_in_soft_halves(case: Case, part: Part) -> bool:
+    """Whether a recipe asks for halves that were cooked, which a spoon divides."""
+    soft = part.food.is_any(word_list("is soft in halves when it is cooked"))
+    return soft and not part.done.keys().isdisjoint({"cook", "boil"}) and _asked_so(case, part)
 
 
 def _is_left_in(case: Case, part: Part) -> bool:

@@ -69,3 +69,50 @@ def test_a_working_is_of_some_kinds_only():
     assert working("deveined", foods.food("lobster", ["raw"])) is None
     assert working("skinned", foods.food("smoked salmon")) is None
     assert working("sliced", foods.food("shrimp", ["raw"])) is None
+
+
+def test_halves_that_get_soft_in_a_pot_stay_halves(steps):
+    told = steps("soup", "", "potato:halved", "beef:cubed", "beef stock:liquid", "carrot:diced")
+    assert "halved" in states_of(told, "potato")
+    assert not states_of(told, "potato") & {"chopped", "diced", "sliced"}
+
+
+def test_baby_potatoes_and_bay_leaves_are_not_cut_unasked(steps):
+    rest = ("chicken:whole", "carrot:whole", "black peppercorn:whole", "oil:liquid", "salt:granulated")
+    told = steps("roast", "Roast chicken", "baby potato:whole", "bay leaf:sprig", *rest)
+    assert not states_of(told, "baby potato") & {"chopped", "diced", "sliced"}
+    assert not states_of(told, "bay leaf") & {"chopped", "minced"}
+
+
+def test_large_dried_chillies_lose_their_seeds(steps):
+    told = steps("sauce", "", "ancho chile:dried", "garlic:minced", "water:liquid", "salt:granulated")
+    assert "seeded" in states_of(told[: first(told, "ancho chile", "core") + 1], "ancho chile")
+
+
+def test_nuts_that_were_roasted_are_ground_and_others_bought_ground(steps):
+    rest = ("flour:powder", "sugar:granulated", "butter:softened", "egg:whole")
+    told = steps("cake", "", "cashew:roasted, ground", *rest)
+    assert first(told, "cashew", "toast") < first(told, "cashew", "grind")
+    told = steps("cake", "", "flaxseed:ground", *rest)
+    assert "grind" not in {motion for _, motion, _ in told}
+
+
+def test_eggs_asked_boiled_are_never_cracked_into_a_mass(steps):
+    told = steps("meatball", "", "egg:boiled, peeled", "ground beef:raw", "onion:chopped", "oil:liquid")
+    assert "crack" not in {motion for inputs, motion, _ in told if "egg" in inputs}
+    assert first(told, "egg", "boil") < first(told, "egg", "peel")
+
+
+def test_the_root_of_turmeric_is_cut_and_its_powder_strewn(steps):
+    rest = ("beef:cubed", "coconut milk:liquid", "onion:chopped")
+    told = steps("beef", "", "turmeric:chopped", *rest)
+    assert "knife" in told[first(told, "turmeric", "chop")][0]
+    told = steps("beef", "", "turmeric:ground", *rest)
+    assert not any("knife" in inputs for inputs, _, _ in told if "turmeric" in inputs)
+
+
+def test_what_is_left_of_cooking_is_no_vegetable():
+    food = tables().foods.food
+    assert food("oil from frying the onions").is_a("fat")
+    assert food("beetroot cooking liquid").is_a("liquid")
+    assert food("cooking liquid from the fish").is_a("liquid")

@@ -309,6 +309,18 @@ def test_k2_halves_are_no_bites_of_what_is_eaten_without_a_knife(dish, food, tol
     assert [one for one in found("K2", f"dish: {dish}\n{step}") if "bite" in one] == told
 
 
+@pytest.mark.parametrize(("asked", "faults"), [("halved", 0), ("chopped", 1)])
+def test_k2_halves_that_are_asked_and_cooked_are_divided_with_a_spoon(asked, faults):
+    board, pot = "plate ({potato})", "pot ({potato}; on stove)"
+    steps = f"""potato (whole) + plate (empty) + knife → CUT → potato (halved; on plate) + {board}
+        pot (empty) + stove (off) → PICK-AND-PLACE → pot (empty; on stove) + stove (off; under pot)
+        stove (off; under pot) → TURN ON → stove (on; under pot)
+        pot (empty; on stove) + {board} + potato (halved; on plate) → POUR → {pot} + potato (halved; in pot)
+        {pot} + stove (on; under pot) + potato (halved; in pot) → BOIL → {pot} + potato (boiled, halved; in pot)"""
+    found_there = found("K2", f"dish: soup\nasked: potato ({asked})\n{steps}")
+    assert len([one for one in found_there if "bite" in one]) == faults
+
+
 def test_k2_remains_are_no_food():
     peel = "banana (whole) + hand + plate (empty) → PEEL → banana (peeled) + banana (skin; on plate) + plate ({banana})"
     text = f"goal: banana (skin; on plate)\n{peel}"

@@ -26,7 +26,7 @@ from foon_kg.food.techniques import (
 from foon_kg.integration.bench import is_flat
 from foon_kg.integration.composing.assigning import MAIN, assigned, has_its_foods, line_told
 from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
-from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want
+from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want, is_left_whole
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import (
     BATH,
@@ -283,7 +283,8 @@ def _is_shaped(want: Want, row: Mapping[str, Any], asked: State) -> bool:
     """Whether a food is cut as a row says: not where it is asked cut, nor pressed where its peel or juice is asked."""
     if row.get("make") == JUICE and (want.make in word_list("is off the outside") or JUICE in want.leaf):
         return False
-    return asked.fineness == 0 or bool(row.get("always"))
+    uncut = asked.fineness == 0 and not is_left_whole(want)
+    return uncut or bool(row.get("always"))
 
 
 def _is_squeezed(want: Want, make: str, known: Tables) -> bool:

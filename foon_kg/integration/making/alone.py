@@ -232,7 +232,7 @@ class Alone:
         stuff = ready.stuff
         before = list(pot.contents)
         states = self._cooked_states(stuff, want, attested.way)
-        if own is not None:  # it swells until that is gone
+        if own is not None or want.facts.is_any(word_list("swells to a porridge")):  # it swells until that is gone
             ready.stuff = bench.work(pot, attested, want.label, states)
             bench.switch(pot, device, on=False)
             return

@@ -86,7 +86,8 @@ class Precooking:
         """Whether a food that runs out of its shell is asked in pieces or peeled: it is boiled in its shell."""
         fine = self.known.state(want.make).fineness
         peeled = want.asked in word_list("has no shell any more")
-        return (peeled or 0 < fine < POWDER) and self.pours(want)
+        boiled = want.make in word_list("is so by boiling")
+        return (peeled or boiled or 0 < fine < POWDER) and self.pours(want)
 
     def _is_thick(self, want: Want) -> bool:
         """Whether a food is asked in such large pieces that it takes very long in a pan."""
@@ -164,20 +165,23 @@ class Precooking:
         wet = "liquid" in stage.does or self.course.has_liquid([stage])
         if self.is_toasted_in_a_pan(want):
             return _IN_A_PAN if wet or want.then or not stage.heats else ()
-        boiled = wet and stage.heats and not _is_done_there(join.spot, {"dry"})
-        return self._by_fat_or_oven(want) if boiled else ()
+        return self._by_fat_or_oven(join) if want.then or wet or not stage.heats else ()
 
     def _is_asked_of_dry_heat(self, want: Want) -> bool:
         """Whether a food is asked as something hot makes it alone: not what is boiled, nor runs out of its shell."""
         return want.cooked and not self.pours(want) and "boil" not in self._due(want)
 
-    def _by_fat_or_oven(self, want: Want) -> tuple[str, ...]:
-        """Return how a food is cooked by itself that is asked as only a hot pan makes it, or an oven."""
-        if want.then:
-            return ()
+    def _by_fat_or_oven(self, join: Join) -> tuple[str, ...]:
+        """Return how a food is cooked by itself that is asked as only a hot pan makes it, or an oven.
+
+        Nothing is roasted for a dish that comes into the oven, and what is toasted elsewhere is toasted here.
+        """
+        want = join.want
         if want.make in word_list("is so in fat"):
             return self._asked_cooking(want) or _IN_A_PAN
-        return tuple(sorted(word_list("is roasted by"))) if want.make in word_list("is so in the oven") else ()
+        oven = want.make in word_list("is so in the oven") and not _is_done_there(join.spot, {"dry"})
+        toasted = want.facts.is_any(word_list("is toasted by itself"))
+        return tuple(sorted(word_list("is roasted by"))) if oven and not toasted else ()
 
     @staticmethod
     def is_toasted_in_a_pan(want: Want) -> bool:

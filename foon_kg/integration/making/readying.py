@@ -43,7 +43,7 @@ class Readying:
         if method:
             self._cut_once_done(join, ready)
         elif self.plan.by_bites and not blended and not _is_done_later(join, {"cut"}):
-            self.alone.preparer.cut_to_bites(ready)
+            self.alone.preparer.cut_to_bites(ready, hot=_is_done_later(join, HEATS))
         self.ready[want.number] = ready
         self.alone.beaten_first(join, ready)
         if want.facts.is_any(word_list("is the water of a pot")):

@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
-from foon_kg.food import Food, Level, Tables, singular
+from foon_kg.food import Food, Level, Tables, singular, words
 from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Stuff
@@ -184,6 +184,13 @@ def as_mixed(want: Want, known: Tables) -> Want:
     soaked = want.make in word_list("is so when it has soaked")  # that is asked, and falls apart by itself
     torn = whole and not soaked and want.facts.kind in word_list("is torn to be soaked")
     return replace(want, make=min(word_list("is so when it is torn"))) if torn else as_mash(want, known)
+
+
+def is_left_whole(want: Want) -> bool:
+    """Return whether nobody cuts ``want`` unasked: it is small, as its name says (baby potatoes), or a bay leaf."""
+    small = says(words(want.label), "is left whole by its name")
+    small = small and want.facts.is_any(word_list("may be left whole where it is small"))
+    return small or want.facts.is_any(word_list("is a leaf by itself"))  # it is lifted out, or left on the plate
 
 
 def owed(want: Want, known: Tables, level: Level = Level.MINOR) -> set[str]:

@@ -15,7 +15,15 @@ from foon_kg.food.rows import HALVED, POWDER
 from foon_kg.food.workings import working
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.preparing.cutting import BOWL
-from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, Ready, Want, earned, owed
+from foon_kg.integration.preparing.preparation import (
+    BY_HAND,
+    JUICE,
+    Ready,
+    Want,
+    earned,
+    is_left_whole,
+    owed,
+)
 from foon_kg.integration.preparing.treating import Treater
 from foon_kg.integration.teaching.forms import form_of, is_scooped
 
@@ -67,6 +75,8 @@ class Preparer(Treater):
             return
         if self._comes_in_a_liquid(want):
             self.drain(ready)
+        if want.facts.kind in word_list("is seeded first"):
+            self.bring_about(ready, min(word_list("is so once it is opened")))
         if _is_soaked_first(want):
             self.soak(ready)
         self.bring_about(ready, want.make)
@@ -150,18 +160,28 @@ class Preparer(Treater):
         if whole and not ready.cut_later and not self._is_no_work_for_a_knife(ready.want):
             ready.cut_later = self.usual_cut(ready.want)
 
-    def cut_to_bites(self, ready: Ready) -> None:
-        """Cut a food that is ``ready`` again if half of one is too large to be eaten with a spoon or fork."""
+    def cut_to_bites(self, ready: Ready, *, hot: bool = False) -> None:
+        """Cut a food that is ``ready`` again if half of one is too large to be eaten with a spoon or fork.
+
+        ``hot``: it is cooked then; halves that are asked and get soft stay as they are.
+        """
+        if self._is_soft_in_halves(ready.want, hot=hot):
+            return
         rows = [self.known.state(state) for state in ready.stuff.states]
         halves = max((row.fineness for row in rows), default=0) == HALVED
         halves = halves and not says(words(ready.want.label), "is a small one")
         if halves and ready.want.facts.is_any(word_list("is more than a bite in halves")):
             self._cut(ready, self.usual_cut(ready.want))
 
+    def _is_soft_in_halves(self, want: Want, *, hot: bool) -> bool:
+        """Whether halves are asked that whoever eats them divides with a spoon, since they are cooked."""
+        asked = bool(want.make) and self.known.state(want.make).fineness == HALVED
+        return hot and asked and want.facts.is_any(word_list("is soft in halves when it is cooked"))
+
     def cut_now(self, ready: Ready) -> None:
         """Cut or mash what is ``ready`` and had to be cooked before."""
         state, ready.cut_later = ready.cut_later, ""
-        if state:
+        if state and not self.bring_about(ready, state, done=True):
             self._cut(ready, state)
 
     def shelled(self, ready: Ready, form: Sequence[str] = ()) -> None:
@@ -193,7 +213,9 @@ class Preparer(Treater):
 
     def _can_be_cut(self, want: Want) -> bool:
         """Whether a food comes whole, is more than a mouthful, and is something that a knife cuts."""
-        if self._is_no_work_for_a_knife(want) or want.facts.is_a("stock", *word_list("is a mouthful")):
+        if self._is_no_work_for_a_knife(want) or is_left_whole(want):
+            return False
+        if want.facts.is_a("stock", *word_list("is a mouthful")):
             return False
         if form_of(self.known, want.label, want.leaf) not in {"whole", "pieces"}:
             return False

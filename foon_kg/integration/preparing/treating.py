@@ -114,10 +114,13 @@ class Treater(Cutter):
         found = [s for s, row in self.known.states.items() if row.earns == {name}]
         return min(found, key=lambda state: (state.count(" "), state), default=name)
 
-    def bring_about(self, ready: Ready, state: str) -> bool:
-        """Bring a food that gets ``ready`` into ``state``; return whether the table of workings says how."""
+    def bring_about(self, ready: Ready, state: str, *, done: bool = False) -> bool:
+        """Bring a food that gets ``ready`` into ``state``; return whether the table of workings says how.
+
+        ``done``: it was cooked before.
+        """
         want, stuff, bench = ready.want, ready.stuff, self.bench
-        how = working(state, want.facts)
+        how = working(state, want.facts, done=done)
         if how is None or state in stuff.states:
             return how is not None
         attested = bench.near_or_far(self._ways_like(how), want.names, act=True)
@@ -126,8 +129,8 @@ class Treater(Cutter):
         if self._is_poured_to(how, stuff):
             bench.bring([stuff], bench.vessel(how.on), bench.require([("pour", ()), ("scoop", ())], want.names))
         kept = (one for one in stuff.states if how.whole or not self.known.state(one).undivided)
-        done = replace(attested, way=(how.motion, (how.tool,) if how.tool else ()))
-        bench.act(stuff, done, tuple(sorted({*kept, state})), how.on)
+        act = replace(attested, way=(how.motion, (how.tool,) if how.tool else ()))
+        bench.act(stuff, act, tuple(sorted({*kept, state})), how.on)
         ready.read_as = None
         return True
 

@@ -72,7 +72,7 @@ def _divided_then(want: Want, first: Want, last: str, known: Tables) -> str:
 
     What is sold ground is bought whole where it is to be toasted before. ``known`` are the tables.
     """
-    toasted = first.cooked and first.facts.is_any(word_list("is toasted in a pan"))
+    toasted = first.cooked and first.facts.is_any(word_list("is toasted by itself"))
     state = last if toasted else want.make
     return state if _divides(state, known) else ""
 
