@@ -23,7 +23,7 @@ _WITH_BONES = re.compile(r"\b(?:bone|skin)[- ](?:in|on)\b,? ?| (?:on|off) the bo
 MOST_LOOKED_UP = 1 << 15
 """So many names, states and motions are remembered with what the tables say of them."""
 
-_MORE = frozenset({"for", "from", "with"})
+_MORE = frozenset({"for", "with"})
 """After these words a name says no more what the food is."""
 
 _OUT_OF = frozenset({"from", "off"})
@@ -143,7 +143,7 @@ class FoodTable:
         listed = self._listed(name, Match.NAME)
         if listed:
             return listed
-        if more := _before(own, _MORE):  # tomatoes with chilies are tomatoes, fat from a roast is fat
+        if more := _before(own, _MORE):  # tomatoes with green chilies are tomatoes, pastry for a pie is pastry
             return self._find(" ".join(more))
         if rest := _before(own, _OUT_OF):
             left = self._find(" ".join(rest))

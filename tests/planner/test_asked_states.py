@@ -109,10 +109,3 @@ def test_the_root_of_turmeric_is_cut_and_its_powder_strewn(steps):
     assert "knife" in told[first(told, "turmeric", "chop")][0]
     told = steps("beef", "", "turmeric:ground", *rest)
     assert not any("knife" in inputs for inputs, _, _ in told if "turmeric" in inputs)
-
-
-def test_what_is_left_of_cooking_is_no_vegetable():
-    food = tables().foods.food
-    assert food("oil from frying the onions").is_a("fat")
-    assert food("beetroot cooking liquid").is_a("liquid")
-    assert food("cooking liquid from the fish").is_a("liquid")
