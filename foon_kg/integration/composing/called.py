@@ -22,6 +22,7 @@ from foon_kg.integration.composing.components import Side
 from foon_kg.integration.composing.drunk import for_many, garnished, is_heated, stirred
 from foon_kg.integration.composing.folded import folded, is_folded
 from foon_kg.integration.composing.formed import formed, formed_within, is_formed
+from foon_kg.integration.composing.marinated import marinated
 from foon_kg.integration.composing.named import as_named
 from foon_kg.integration.composing.parts import Part, baked_at_last, with_parts
 from foon_kg.integration.composing.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
@@ -96,7 +97,8 @@ def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: C
     done at a stage of its own. ``known`` are the tables.
     """
     made = _arranged(line, joins, parts, called, known)
-    line, joins = with_sides(made.line, made.joins, called.sides, words(called.title), known)
+    line, joins = marinated(made.line, made.joins, called.technique)
+    line, joins = with_sides(line, joins, called.sides, words(called.title), known)
     line, joins = as_named(line, joins, [one for one, _ in called.asks], known)
     if called.drunk:
         line, joins = for_many(line, joins, words(called.title))

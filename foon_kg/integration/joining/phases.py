@@ -46,6 +46,9 @@ from foon_kg.integration.teaching.frames import HEATS, Line, Phase, Slot, Stage,
 # a stage that does more (shape, blend, bake) is no cooking in one open vessel, and stays what it is
 _DONE_OVER_HEAT = HEATS | {"mix", "liquid", "move", "fat", "coat"}
 
+_LEFT_RAW = frozenset({"coat", "mix", "move", "wait"})
+"""What leaves flesh as it is: it is turned in something and stands."""
+
 
 def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
     """Return the line of a dish and its plan with what stands over the heat in the order of a cook.
@@ -221,8 +224,16 @@ class _Phaser:
         water = [Addition(medium.water, None, WET)] if medium.water is not None else []
         foods = [Addition(join, join.want.facts, phase_in(join, medium, apart=apart)) for join in vessel.joins]
         foods = finishing_fat_last(foods)
-        lines = [Addition(adds[id(line)], None, self._phase_of_line(line, bath=medium.bath)) for line in vessel.lines]
+        lines = [self._addition_of_line(line, adds[id(line)], medium) for line in vessel.lines]
         return water + foods + lines
+
+    def _addition_of_line(self, line: Line, made: Line, medium: Medium) -> Addition:
+        """Return how what a line makes, ``made`` by now, comes into a vessel: flesh in its marinade as flesh does."""
+        flesh = [join for join in self._foods(line) if join.want.facts.is_any(word_list("is flesh"))]
+        cold = all(stage.does <= _LEFT_RAW for stage in line.all_stages())
+        if flesh and cold:
+            return Addition(made, flesh[0].want.facts, phase_in(flesh[0], medium, apart=not self.plan.one_pot))
+        return Addition(made, None, self._phase_of_line(line, bath=medium.bath))
 
     def _foods(self, line: Line) -> list[Join]:
         """Return the foods that join a line, and the lines that join it."""
