@@ -17,9 +17,6 @@ from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Stage
 
-MARINADE = "marinade"
-"""The part of a dish in which its flesh stands before it is cooked, and what that is called."""
-
 _BOWL = "mixing bowl"
 
 
@@ -29,10 +26,10 @@ def marinated(line: Line, joins: Sequence[Join], technique: Technique | None) ->
     Nothing changes where the dish's ``technique`` has a line for it, or where no raw flesh comes to a heat.
     """
     joins = tuple(joins)
-    told = [join for join in joins if join.want.part == MARINADE and not _is_flesh(join.want)]
+    told = [join for join in joins if _is_listed_so(join) and not _is_flesh(join.want)]
     flesh = _flesh(joins)
     meets = _heat_of(flesh)
-    if not told or meets is None or (technique is not None and line_told(MARINADE, technique.lines)):
+    if not told or meets is None or (technique is not None and line_told(_part(), technique.lines)):
         return line, joins
     stir, turn, stand = _stages()
     whole, became = with_line(line, meets, Line((stir, turn, stand)))
@@ -57,8 +54,17 @@ def _heat_of(flesh: Sequence[Join]) -> Stage | None:
 def _flesh(joins: Sequence[Join]) -> list[Join]:
     """Return the raw flesh that is listed with its marinade, or else all that there is."""
     raw = [join for join in joins if _is_flesh(join.want) and not join.want.cooked]
-    listed = [join for join in raw if join.want.part == MARINADE]
+    listed = list(filter(_is_listed_so, raw))
     return listed or raw
+
+
+def _part() -> str:
+    """Return the part of a dish in which its flesh stands before it is cooked, and what that is called."""
+    return min(word_list("is what flesh stands in"))
+
+
+def _is_listed_so(join: Join) -> bool:
+    return join.want.part == _part()
 
 
 def _is_flesh(want: Want) -> bool:
@@ -67,5 +73,5 @@ def _is_flesh(want: Want) -> bool:
 
 def _stages() -> tuple[Stage, Stage, Stage]:
     """Return the stages in which a marinade is stirred, flesh is turned in it, and stands."""
-    stir = replace(stage_of("stir"), vessel=_BOWL, label=MARINADE)
+    stir = replace(stage_of("stir"), vessel=_BOWL, label=_part())
     return stir, replace(stage_of("turn by hand"), vessel=_BOWL), replace(stage_of("chill"), vessel=_BOWL)
