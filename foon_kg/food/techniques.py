@@ -29,7 +29,7 @@ _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(
 
 TABLES = (
     "steamed", "regional", "vegetables", "eggs", "handheld", "morsels", "cold", "pies", "sauces", "drinks",
-    "flesh", "savoury", "techniques", "methods", "grains",
+    "flesh", "savoury", "techniques", "methods", "grains", "kinds",
 )  # fmt: skip
 """The documents with rows of techniques, in the order in which these are tried."""
 

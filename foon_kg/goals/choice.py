@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from foon_kg.food import Tables, singular, words
+from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish, Food
 from foon_kg.goals.asked import SEASONS, Asked
 from foon_kg.goals.names import BY_TITLE, BY_TYPE
@@ -134,7 +135,7 @@ def lacking(foods: Sequence[Food], dish_type: str, title: str, known: Tables) ->
     return [
         (dish.name, needs)
         for dish in known.dishes_named(dish_type, title)
-        if not _is_asked_ready(dish, foods)
+        if not _needs_nothing(dish, foods)
         for needs in dish.needs
         if not _has_any(foods, needs, known)
     ]
@@ -145,6 +146,22 @@ def _is_asked_ready(dish: Dish, foods: Sequence[Food]) -> bool:
     if dish.name in {food.name for food in foods}:
         return True
     return not dish.is_type and any(dish.name in words(food.name) for food in foods)
+
+
+def _needs_nothing(dish: Dish, foods: Sequence[Food]) -> bool:
+    """Whether nobody can say of a list of ``foods`` that it lacks what a dish needs."""
+    return _is_asked_ready(dish, foods) or _may_be_there(dish, foods) or _boils_of_its_foods(dish, foods)
+
+
+def _may_be_there(dish: Dish, foods: Sequence[Food]) -> bool:
+    """Whether one of ``foods`` may be what a title names by ``dish``, as nothing is known of it (datshi, a cheese)."""
+    return not dish.is_type and any(not food.known for food in foods)
+
+
+def _boils_of_its_foods(dish: Dish, foods: Sequence[Food]) -> bool:
+    """Whether a dish boils in water from the tap, to which something of ``foods`` gives its taste."""
+    boils = dish.name in word_list("boils in the dish")
+    return boils and any(food.is_any(word_list("boils in water from the tap")) for food in foods)
 
 
 def _has_any(foods: Sequence[Food], needs: Sequence[str], known: Tables) -> bool:

@@ -178,7 +178,7 @@ def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
     ``texts`` are its type and title.
     """
     for dish in case.tables.dishes_named(label, *texts):
-        for needs in dish.needs if not _is_asked(case, dish) else ():
+        for needs in dish.needs if not (_is_asked(case, dish) or _may_be_there(case, dish)) else ():
             if not _has_one(case, needs):
                 yield " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
     yield from (food for food in namesakes(case, label) if not _is_in(case, food))
@@ -188,6 +188,11 @@ def _is_asked(case: Case, dish: Dish) -> bool:
     """Whether the recipe asks for a dish as for a food, ready made: it brings its parts, and K1 looks at it."""
     own = set(words(dish.name))
     return dish.name not in case.dish_types and any(own <= set(words(food)) for food in case.required_names)
+
+
+def _may_be_there(case: Case, dish: Dish) -> bool:
+    """Whether a food of which nothing is known may be what a title names by ``dish``: datshi, a cheese."""
+    return not dish.is_type and any(not part.food.known for part in case.parts)
 
 
 def missing_namesakes(case: Case, label: str) -> Iterator[str]:

@@ -19,6 +19,7 @@ NAMES = (
     "foods",
     "grains",
     "handheld",
+    "kinds",
     "listed",
     "lists",
     "methods",

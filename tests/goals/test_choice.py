@@ -289,3 +289,14 @@ def test_a_food_takes_the_best_place_of_all(foods, one, sure):
 )
 def test_only_a_form_of_a_verb_says_that_a_dish_comes_out_of_an_oven(title, baked):
     assert is_baked("salad", title, KNOWN) is baked
+
+
+def test_a_food_of_which_nothing_is_known_may_be_what_a_title_names():
+    asked = wants(chilli="chopped", datshixyz="crumbled")
+    assert refusals(asked, "vegetables", "chillies and cheese", KNOWN) == []
+    assert refusals(wants(chilli="chopped"), "vegetables", "chillies and cheese", KNOWN)
+
+
+def test_what_gives_a_broth_makes_a_soup_of_water_from_the_tap():
+    assert refusals(wants(pork="chopped", onion="chopped"), "soup", "", KNOWN) == []
+    assert refusals(wants(salt="granulated"), "soup", "", KNOWN)

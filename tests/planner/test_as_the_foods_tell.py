@@ -1,0 +1,103 @@
+"""Dishes that nobody's name tells: what foods of some kinds become together, and the water that nobody lists."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, inside, motions
+
+from foon_kg.food import tables
+
+pytestmark = pytest.mark.shared_data
+
+
+def of(told, motion):
+    """Return the foods that go into a step of such a motion."""
+    return {food for inputs, one, _ in told if one == motion for food in inputs}
+
+
+@pytest.mark.parametrize(
+    ("title", "foods"),
+    [
+        ("Kyckling i vin", ("chicken:cut", "butter:unmelted", "shallots:chopped", "white wine:liquid")),
+        ("Kedjenou", ("guinea fowl:cut", "onions:sliced", "tomatoes:chopped", "garlic:crushed", "thyme:sprig")),
+    ],
+)
+def test_a_bird_in_what_is_wet_is_stewed_and_not_baked_raw(steps, title, foods):
+    told = steps("chicken", title, *foods)
+    assert "simmer" in motions(told)
+    assert "bake" not in motions(told)
+
+
+def test_a_title_that_asks_for_the_oven_has_it(steps):
+    told = steps("chicken", "Baked chicken", "chicken thighs:raw", "onion:sliced", "white wine:liquid", "oil:liquid")
+    assert "bake" in motions(told)
+
+
+def test_flesh_without_any_liquid_is_boiled_in_water_and_carved(steps):
+    told = steps("beef", "Kochfleisch", "beef rump cap:whole", "carrots:chopped", "celeriac:chopped",
+                 "bay leaves:whole", "peppercorns:whole", "salt:granulated")  # fmt: skip
+    assert {"water", "beef rump cap", "carrots"} <= inside(told, "simmer")
+    assert first(told, "beef rump cap", "simmer") < first(told, "beef rump cap", "slice")
+
+
+def test_a_stock_cube_takes_no_place_of_the_water_of_a_soup(steps):
+    told = steps("soup", "Egusi soup", "goat meat:chopped", "palm oil:liquid", "egusi:ground", "onion:chopped",
+                 "seasoning cubes:whole", "spinach:leaves")  # fmt: skip
+    assert "water" in inside(told, "simmer")
+
+
+def test_a_soup_of_which_no_liquid_is_listed_boils_in_water(steps):
+    told = steps("soup", "Kapustnica", "sauerkraut:drained", "pork neck:chopped", "onion:chopped", "lard:creamy",
+                 "sweet paprika:ground")  # fmt: skip
+    assert "water" in inside(told, "simmer")
+
+
+def test_raw_flesh_and_rice_come_into_one_pot(steps):
+    told = steps("rice", "Galinhada", "chicken pieces:raw", "oil:liquid", "onion:chopped", "tomatoes:chopped",
+                 "long-grain rice:uncooked", "water:hot")  # fmt: skip
+    assert {"chicken pieces", "long-grain rice"} <= of(told, "simmer")
+    assert "drain" not in motions(told)
+
+
+def test_flour_and_water_become_noodles(steps):
+    told = steps("stir-fry", "Tsuivan (fried noodles with mutton)", "flour:powder", "water:liquid", "mutton:cut",
+                 "oil:liquid", "onion:sliced", "cabbage:shredded")  # fmt: skip
+    assert {"knead", "roll", "boil"} <= set(motions(told))
+    assert "flour" not in of(told, "cook and stir")
+
+
+def test_noodles_with_granules_for_a_broth_get_the_water(steps):
+    told = steps("noodle", "Hoto", "hoto noodles:uncooked", "kabocha squash:cut", "daikon:sliced", "dashi:granulated",
+                 "miso:paste")  # fmt: skip
+    assert {"water", "dashi", "kabocha squash"} <= inside(told, "simmer")
+
+
+def test_no_strainer_holds_polenta(steps):
+    told = steps("pork", "Tochitura (stew)", "pork shoulder:cut", "lard:creamy", "onion:chopped", "white wine:liquid",
+                 "polenta:uncooked", "salt:granulated")  # fmt: skip
+    assert all("polenta" not in inputs for inputs, motion, _ in told if motion == "drain")
+
+
+def test_yeast_for_a_drink_is_not_boiled(steps):
+    told = steps("drinks", "Sima", "water:liquid", "sugar:granulated", "lemons:sliced", "yeast:fresh", "raisins:whole")
+    assert "ferment" in motions(told)
+    assert "yeast" not in inside(told, "cook")
+
+
+def test_what_is_left_of_cooking_is_not_the_food_itself():
+    food = tables().foods.food
+    assert food("beetroot cooking liquid").is_a("liquid")
+    assert food("oil from frying the onions").is_a("oil")
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "foods"),
+    [
+        ("bread", "Lahoh (pan bread)", "flour:plain,sorghum flour:powder,yeast:powder,water:warm,oil:liquid"),
+        ("omelette", "Hangtown fry", "bacon:raw,oysters:drained,eggs:uncooked,butter:unmelted"),
+        ("vegetables", "Chillies and cheese", "green chillies:halved,onion:sliced,water:liquid,datshixyz:crumbled"),
+        ("drinks", "Rompope", "whole milk:liquid,sugar:granulated,baking soda:powder,egg yolks:uncooked,rum:liquid"),
+    ],
+)
+def test_there_is_a_tree_though_a_name_says_little(steps, dish_type, title, foods):
+    assert steps(dish_type, title, *foods.split(","))
