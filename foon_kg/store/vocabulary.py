@@ -7,8 +7,9 @@ adding what a new unit teaches and taking away what a forgotten one taught.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Set
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from foon_kg.model import FunctionalUnit, ObjectNode
 from foon_kg.model.knowledge import Gathering, MadeBy, SeenAs
@@ -28,19 +29,37 @@ def food_states(nodes: Iterable[ObjectNode], is_utensil: Callable[[str], bool]) 
     return {(node.label, state) for node in foods for state in (node.states or (NO_STATE,))}
 
 
-def states_made(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> set[str]:
+def states_made(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> frozenset[str]:
     """Return the states that ``unit`` gives to a food: in an output of the food, in none of its inputs.
 
     ``is_utensil`` tells by a label what is no food.
     """
-    before, after = food_states(unit.input_nodes, is_utensil), food_states(unit.output_nodes, is_utensil)
-    return {state for _, state in after - before if state != NO_STATE}
+    return _given(food_states(unit.output_nodes, is_utensil), food_states(unit.input_nodes, is_utensil))
 
 
-def takes_several(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> bool:
-    """Return whether ``unit`` takes more than one food, be they in a vessel, which ``is_utensil`` tells by a label."""
+class UnitWords(NamedTuple):
+    """What one unit adds to the counts: foods in states that it makes and uses, and the states that it gives a food.
+
+    ``several`` says whether it takes more than one food, be they in a vessel.
+    """
+
+    motion: str
+    made: frozenset[FoodState]
+    used: frozenset[FoodState]
+    states: frozenset[str]
+    several: bool
+
+
+def words_of(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> UnitWords:
+    """Return what ``unit`` teaches about words; ``is_utensil`` tells by a label what is no food."""
+    made, used = food_states(unit.output_nodes, is_utensil), food_states(unit.input_nodes, is_utensil)
     names = {name for node in unit.input_nodes for name in (node.label, *node.ingredients) if not is_utensil(name)}
-    return len(names) > 1
+    return UnitWords(unit.motion, frozenset(made), frozenset(used), _given(made, used), len(names) > 1)
+
+
+def _given(made: Set[FoodState], used: Set[FoodState]) -> frozenset[str]:
+    """Return the states of foods that are ``made`` and were not there in what is ``used``."""
+    return frozenset(state for _, state in made - used if state != NO_STATE)
 
 
 @dataclass
@@ -56,15 +75,19 @@ class WordCounts:
 
     def count(self, units: Iterable[FunctionalUnit], weight: int = 1) -> None:
         """Add what each of ``units`` teaches ``weight`` times; -1 takes it away."""
+        self.add((words_of(unit, self.is_utensil) for unit in units), weight)
+
+    def add(self, units: Iterable[UnitWords], weight: int = 1) -> None:
+        """Add what ``units`` teach, each ``weight`` times."""
         for unit in units:
-            for pair in food_states(unit.output_nodes, self.is_utensil):
+            for pair in unit.made:
                 self.made[pair] += weight
-            for pair in food_states(unit.input_nodes, self.is_utensil):
+            for pair in unit.used:
                 self.used[pair] += weight
-            for state in states_made(unit, self.is_utensil):
+            for state in unit.states:
                 self.motions[state, unit.motion] += weight
             self.units[unit.motion] += weight
-            self.several[unit.motion] += weight * takes_several(unit, self.is_utensil)
+            self.several[unit.motion] += weight * unit.several
 
     def seen_as(self) -> Iterator[SeenAs]:
         """Yield the rows about foods that differ from nothing, sorted."""

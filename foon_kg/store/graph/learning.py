@@ -4,25 +4,21 @@ from __future__ import annotations
 
 import json
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from itertools import chain
 from typing import Any
 
 from foon_kg.integration.teaching.operators import MOST_SIGHTINGS
-from foon_kg.model import FunctionalUnit, Subgraph, sightings_of
-from foon_kg.model.json_text import compact_json
+from foon_kg.model import FunctionalUnit
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.frame_rows import Joins, frame_of, slot_foods
 from foon_kg.store.graph.lifting import Lifted, Tally, is_food, lifted, matter_rows
-from foon_kg.store.graph.method_rows import SightingValue
 from foon_kg.store.graph.statements import Ask
 from foon_kg.store.graph.taught import Taught
+from foon_kg.store.graph.video_rows import KeptSighting, written_sighting
 
 Pair = tuple[str, str]
 """The key of an operator, and a matter to which it is done."""
-
-KeptSighting = tuple[str, int, str]
-"""A sighting: its video, its position there, and its text as the graph keeps it."""
 
 Seen = tuple[list[KeptSighting], list[KeptSighting]]
 """Where an operator is done to a matter, and where it changes it."""
@@ -32,15 +28,14 @@ Attests = tuple[str, Collection[str], Collection[str]]
 
 
 class Learner:
-    """Learns within one transaction; ``teach`` says what a video teaches by itself.
+    """Learns within one transaction.
 
     In this order: :meth:`forget` videos, :meth:`learn` what is new, :meth:`unlearn` the units that are about to go, and
     :meth:`finish` when they have gone.
     """
 
-    def __init__(self, ask: Ask, teach: Callable[[Subgraph], Taught]) -> None:
+    def __init__(self, ask: Ask) -> None:
         self._ask = ask
-        self._teach = teach
         self._tally = Tally()
         self._joins = Joins()
         self._matters: set[str] = set()
@@ -64,31 +59,28 @@ class Learner:
         self._joins.count(frames, weight=-1)
         self._spoken_of |= slot_foods(frames)
 
-    def learn(self, new: Iterable[FunctionalUnit], subgraphs: Sequence[Subgraph]) -> None:
-        """Learn from ``subgraphs``, which the graph has with all their sightings, and from the units new in it."""
-        taught = [self._teach(subgraph) for subgraph in subgraphs]
-        said = {key: unit for one in taught for key, unit in one.units.items()}
-        units = {unit.key: said[unit.key] for unit in new}
-        frames = [frame for one in taught for frame in one.frames]
+    def learn(self, new: Iterable[str], taught: Sequence[Taught]) -> None:
+        """Learn from videos, which the graph has with all their sightings, and from the units ``new`` in it, by key.
+
+        ``taught`` is what each of the videos teaches by itself.
+        """
+        said = dict(chain.from_iterable(one.units.items() for one in taught))
+        units = {key: said[key] for key in new}
+        frames = list(chain.from_iterable(one.frames for one in taught))
         self._note_attested(units)
         self._tally.count(units.values())
         self._joins.count(frames)
         self._make_matters(self._tally.matters() | self._joins.matters() | slot_foods(frames))
-        self._note_sightings(subgraphs)
+        for unit, seen in chain.from_iterable(one.rows.seen for one in taught):
+            self._sighted[unit].append(seen)
         if units:
             self._ask(cypher.LOAD_OPERATORS, operators=list(_operator_rows(units)))
         if frames:
-            self._ask(cypher.LOAD_FRAMES, frames=list(chain.from_iterable(one.rows for one in taught)))
+            self._ask(cypher.LOAD_FRAMES, frames=list(chain.from_iterable(one.frame_rows for one in taught)))
 
     def _note_attested(self, units: Mapping[str, Lifted]) -> None:
         """Note what new units attest, so that the graph is not asked for what it was just told."""
         self._attested.update((key, (unit.operator, unit.done_to, unit.changes)) for key, unit in units.items())
-
-    def _note_sightings(self, subgraphs: Sequence[Subgraph]) -> None:
-        for subgraph in subgraphs:
-            for unit, seen in sightings_of(subgraph):
-                value = (seen.video, seen.position, seen.source, seen.start, seen.end)
-                self._sighted[unit.key].append(_written(value))
 
     def unlearn(self, gone: Iterable[FunctionalUnit], doubtful: Collection[str]) -> None:
         """Take away what units ``gone`` say; they are among the ``doubtful``, which lost a sighting."""
@@ -132,7 +124,8 @@ class Learner:
         self._add_sighted(found)
         found.update((pair, ([], [])) for pair in lost)
         for again in self._ask(cypher.FIRST_SIGHTINGS, pairs=_by_operator(lost), most=MOST_SIGHTINGS) if lost else ():
-            found[again.operator, again.matter] = list(map(_written, again.seen)), list(map(_written, again.changes))
+            seen, changes = (list(map(written_sighting, sightings)) for sightings in (again.seen, again.changes))
+            found[again.operator, again.matter] = seen, changes
         return found
 
     def _add_kept(self, found: dict[Pair, Seen]) -> set[Pair]:
@@ -220,11 +213,6 @@ def _first(sightings: Iterable[KeptSighting]) -> list[str]:
     """Return the first sightings by video and position, as the graph keeps them."""
     by_place = {(video, position): text for video, position, text in sightings}
     return [by_place[place] for place in sorted(by_place)[:MOST_SIGHTINGS]]
-
-
-def _written(value: SightingValue) -> KeptSighting:
-    """Return a sighting with its text: the values of a ``Sighting`` as JSON."""
-    return value[0], value[1], compact_json(value)
 
 
 def _read(text: str) -> KeptSighting:

@@ -22,7 +22,7 @@ from foon_kg.store.graph.taught import Ahead, Taught
 from foon_kg.store.graph.writing import Writer
 from foon_kg.store.snapshot import distinct_by_name
 
-UNITS_PER_TRANSACTION = 5_000
+UNITS_PER_TRANSACTION = 2_500
 """Bounds the memory of the database for one transaction; the 111 public subgraphs are one."""
 
 

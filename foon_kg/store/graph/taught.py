@@ -13,23 +13,26 @@ from foon_kg.model import Subgraph
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph.frame_rows import frame_row
 from foon_kg.store.graph.lifting import Lifted, lifted
+from foon_kg.store.graph.video_rows import VideoRows, rows_of
 from foon_kg.store.snapshot import frames_in
 
 
 @dataclass(frozen=True)
 class Taught:
-    """The frames of a video, the same as rows for the graph, and by their keys what its units say."""
+    """The frames of a video, the same as rows for the graph, by their keys what its units say, and its own rows."""
 
     frames: tuple[Frame, ...]
-    rows: tuple[dict[str, Any], ...]
+    frame_rows: tuple[dict[str, Any], ...]
     units: Mapping[str, Lifted]
+    rows: VideoRows
 
 
 def taught_by(subgraph: Subgraph, kitchen: Kitchen) -> Taught:
     """Return what ``subgraph`` teaches in this ``kitchen``, whatever else the graph has."""
     frames = frames_in(subgraph, kitchen)
     units = {annotation.unit.key: annotation.unit for annotation in subgraph.annotations}
-    return Taught(frames, tuple(map(frame_row, frames)), {key: lifted(unit) for key, unit in units.items()})
+    says = {key: lifted(unit) for key, unit in units.items()}
+    return Taught(frames, tuple(map(frame_row, frames)), says, rows_of(subgraph, kitchen))
 
 
 class Ahead:

@@ -14,7 +14,7 @@ from itertools import chain
 from typing import Any
 
 from foon_kg.food import singular
-from foon_kg.model import FunctionalUnit, ObjectNode, Subgraph
+from foon_kg.model import Subgraph
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.points import indexed_points
@@ -22,13 +22,13 @@ from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.learning import Learner
 from foon_kg.store.graph.learnt_by import methods_key
-from foon_kg.store.graph.movements import Movement, movement_rows, movements
+from foon_kg.store.graph.movements import movement_rows, movements
 from foon_kg.store.graph.schema import kitchen_key, schema_version
 from foon_kg.store.graph.statements import Ask
 from foon_kg.store.graph.taught import Taught, taught_by
-from foon_kg.store.graph.values import bare_unit_of, properties_of, subgraph_of
-from foon_kg.store.snapshot import goals_of
-from foon_kg.store.vocabulary import WordCounts
+from foon_kg.store.graph.values import bare_unit_of, subgraph_of
+from foon_kg.store.graph.video_rows import VideoRows, movement_row, objects_together, units_together
+from foon_kg.store.vocabulary import UnitWords, WordCounts
 
 
 class Writer:
@@ -46,7 +46,8 @@ class Writer:
         self._ask = ask
         self._kitchen = kitchen
         self._counts = WordCounts(kitchen.is_utensil)
-        self._learner = Learner(self._ask, teach or partial(taught_by, kitchen=kitchen))
+        self._teach = teach or partial(taught_by, kitchen=kitchen)
+        self._learner = Learner(self._ask)
         self._doubtful: set[str] = set()
         self._states: Counter[str] = Counter()
         self._words: set[str] = set()
@@ -57,36 +58,35 @@ class Writer:
         """Write the videos ``subgraphs``, of which the graph has no sightings (any more)."""
         if not subgraphs:
             return
-        units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
-        self._ask(cypher.LOAD_VIDEOS, videos=[_video_row(subgraph) for subgraph in subgraphs])
-        self._add_nodes({node for unit in units.values() for node in (*unit.input_nodes, *unit.output_nodes)})
-        moving = movements(subgraphs)
-        rows = self._ask(cypher.LOAD_UNITS, units=[_unit_row(unit, moving) for _, unit in sorted(units.items())])
+        taught = [self._teach(subgraph) for subgraph in subgraphs]
+        rows = [one.rows for one in taught]
+        self._ask(cypher.LOAD_VIDEOS, videos=[one.video for one in rows])
+        self._add_nodes(objects_together(rows))
+        fresh = self._add_units(units_together(rows))
+        self._add_sightings(rows)
+        self._counts.add(_words_of_units(rows, fresh))
+        self._learner.learn(sorted(fresh), taught)
+
+    def _add_units(self, units: Mapping[str, Mapping[str, Any]]) -> set[str]:
+        """Write units, and what moves in those that were there; return the keys of those that are new."""
+        rows = self._ask(cypher.LOAD_UNITS, units=list(units.values()))
         fresh = set(chain.from_iterable(row.keys for row in rows))
-        self._add_sightings(subgraphs)
-        self._add_movements(moving, fresh)
-        new = list(map(units.__getitem__, sorted(fresh)))
-        self._counts.count(new)
-        self._learner.learn(new, subgraphs)
+        known = (row for key, row in units.items() if key not in fresh)
+        if moving := [row for row in map(movement_row, known) if row]:
+            self._ask(cypher.LOAD_MOVEMENTS, rows=moving)
+        return fresh
 
-    def _add_nodes(self, nodes: Collection[ObjectNode]) -> None:
+    def _add_nodes(self, nodes: Mapping[str, Mapping[str, Any]]) -> None:
         """Write object nodes, and remember the states of those that are new and the words of all."""
-        by_key = {node.key: node for node in nodes}
-        for row in self._ask(cypher.LOAD_OBJECTS, objects=self._object_rows(nodes)):
-            self._states.update(state for key in row.keys for state in by_key[key].states)
-        self._words.update(name for node in nodes for name in node.ingredients)
+        for row in self._ask(cypher.LOAD_OBJECTS, objects=list(nodes.values())):
+            self._states.update(state for key in row.keys for state in nodes[key]["states"])
+        self._words.update(name for row in nodes.values() for name in row["ingredients"])
 
-    def _add_movements(self, moving: Mapping[Movement, int], fresh: Collection[str]) -> None:
-        """Add what is ``moving`` in units that were there; those that are ``fresh`` were written with theirs."""
-        known = {movement: count for movement, count in moving.items() if movement[0] not in fresh}
-        if known:
-            self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(known))
-
-    def _add_sightings(self, subgraphs: Sequence[Subgraph]) -> None:
+    def _add_sightings(self, videos: Sequence[VideoRows]) -> None:
         """Write where units are seen, in which order, and which goals they make."""
-        self._ask(cypher.LOAD_SIGHTINGS, sightings=[row for s in subgraphs for row in _sighting_rows(s)])
-        self._ask(cypher.LOAD_NEXT, videos=[_steps_row(subgraph) for subgraph in subgraphs])
-        self._ask(cypher.LOAD_GOALS, goals=[row for s in subgraphs for row in self._goal_rows(s)])
+        self._ask(cypher.LOAD_SIGHTINGS, sightings=[row for one in videos for row in one.sightings])
+        self._ask(cypher.LOAD_NEXT, videos=[one.steps for one in videos])
+        self._ask(cypher.LOAD_GOALS, goals=[row for one in videos for row in one.goals])
 
     def forget(self, names: Sequence[str]) -> None:
         """Take away what the named videos say, but not the videos."""
@@ -158,10 +158,11 @@ class Writer:
         Some of these may be learnt from already.
         """
         subgraphs = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
-        units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
+        taught = [self._teach(subgraph) for subgraph in subgraphs]
+        units = {key for one in taught for key in one.units}
         rows = self._ask(cypher.ATTESTED, keys=sorted(units))
         known = {unit for row in rows for unit, *_ in row.attested}
-        self._learner.learn((unit for key, unit in units.items() if key not in known), subgraphs)
+        self._learner.learn(sorted(units - known), taught)
         self._learner.unlearn((), ())
         self._learner.finish(())
         self._write_vectors()
@@ -190,24 +191,13 @@ class Writer:
                 ],
             )
 
-    def _object_rows(self, nodes: Iterable[ObjectNode]) -> list[dict[str, Any]]:
-        return [
-            {
-                "key": node.key,
-                "label": node.label,
-                "states": node.states,
-                "ingredients": node.ingredients,
-                "relation": node.relation,
-                "container": node.container,
-                "start": self._kitchen.has(node) or None,  # the closure asks for nodes without the property
-                "utensil": self._kitchen.is_utensil(node.label) or None,
-            }
-            for node in sorted(nodes, key=lambda node: node.key)
-        ]
 
-    def _goal_rows(self, subgraph: Subgraph) -> list[dict[str, str]]:
-        goals = goals_of(subgraph, self._kitchen)
-        return [{"key": node.key, "dish_type": dish_type, "video": subgraph.name} for node, dish_type in goals]
+def _words_of_units(videos: Iterable[VideoRows], keys: Collection[str]) -> Iterator[UnitWords]:
+    """Yield what the units of ``videos`` with these ``keys`` add to the counts of words, each once."""
+    found: dict[str, UnitWords] = {}
+    for video in videos:
+        found.update(video.words)
+    yield from map(found.__getitem__, keys)
 
 
 def _words_of(subgraph: Subgraph) -> Iterator[str]:
@@ -216,29 +206,3 @@ def _words_of(subgraph: Subgraph) -> Iterator[str]:
         yield annotation.unit.motion
         for node in (*annotation.unit.input_nodes, *annotation.unit.output_nodes):
             yield from (node.label, *node.ingredients, *node.states)
-
-
-def _video_row(subgraph: Subgraph) -> dict[str, Any]:
-    return {"name": subgraph.name, "content": subgraph.content_key, "sources": subgraph.sources}
-
-
-def _steps_row(subgraph: Subgraph) -> dict[str, Any]:
-    return {"name": subgraph.name, "units": [annotation.unit.key for annotation in subgraph.annotations]}
-
-
-def _unit_row(unit: FunctionalUnit, moving: Mapping[Movement, int]) -> dict[str, Any]:
-    """Return a ``unit`` as ``load_units`` takes it, each object with the sightings that show it ``moving``."""
-    return {
-        "key": unit.key,
-        "verb": unit.motion,
-        "accepts_any": unit.accepts_any,
-        "inputs": [(node.key, moving.get((unit.key, "inputs", node.key))) for node in unit.input_nodes],
-        "outputs": [(node.key, moving.get((unit.key, "outputs", node.key))) for node in unit.output_nodes],
-    }
-
-
-def _sighting_rows(subgraph: Subgraph) -> list[dict[str, Any]]:
-    return [
-        {"unit": annotation.unit.key, "video": subgraph.name, "properties": properties_of(annotation, position)}
-        for position, annotation in enumerate(subgraph.annotations)
-    ]

@@ -20,6 +20,12 @@ HEAP = ("-Xms256m", "-Xmx1g")
 FLAGS = (
     "-XX:+UseSerialGC",  # starts faster and takes less memory than the parallel collectors do at this heap size
     *HEAP,
+    "-XX:NewRatio=1",  # what a transaction of a load holds dies young, and is not copied into the old half
+    # What runs a thousand times is not worth a second's work of the best compiler; long questions take no longer.
+    "-XX:Tier4InvocationThreshold=20000",
+    "-XX:Tier4MinInvocationThreshold=2000",
+    "-XX:Tier4CompileThreshold=40000",
+    "-XX:Tier4BackEdgeThreshold=120000",
     "-XX:+UnlockDiagnosticVMOptions",
     "-XX:+IgnoreUnrecognizedVMOptions",  # a Java that does not know the next one any more starts nevertheless
     "-XX:-AOTReplayTraining",  # compiled by what a short recording counted, long questions take twice as long
