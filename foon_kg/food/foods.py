@@ -14,7 +14,7 @@ from foon_kg.food.shipped import shipped
 from foon_kg.food.words import plain_words, singular
 from foon_kg.model.names import without_accents
 
-UNKNOWN = Kind("unknown", "Nothing is known of it.")
+UNKNOWN = Kind("unknown", "Nothing is known of it.", sold_in="packet")
 _NOT_FOUND = (UNKNOWN.name, "", Match.UNKNOWN)
 _PACKED = "canned"
 

@@ -12,7 +12,7 @@ from itertools import chain
 
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import TaskTree
-from foon_kg.validation import dish, form, handling, honesty, robot, sense, table
+from foon_kg.validation import dish, form, handling, honesty, matter, robot, sense, table
 from foon_kg.validation.case import FREE, Case
 from foon_kg.validation.foon import KnownFoon
 from foon_kg.validation.repeatability import repeatable
@@ -54,7 +54,16 @@ ASKED: dict[str, Callable[[Case], Iterator[Finding]]] = {
     "W1": _all(_of_world("W1"), handling.used_up),
     "W2": _of_world("W2"),
     "W3": _of_world("W3"),
-    "W4": _all(robot.idle, handling.picked_up, handling.too_hard, handling.coarser, handling.broken_raw),
+    "W4": _all(
+        robot.idle,
+        handling.picked_up,
+        handling.too_hard,
+        handling.coarser,
+        handling.broken_raw,
+        matter.matter,
+        matter.out_of_nowhere,
+        matter.second_of_one,
+    ),
     "W5": robot.order,
     "K1": table.raw,
     "K2": table.whole,

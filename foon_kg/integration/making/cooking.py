@@ -65,6 +65,8 @@ class Cooking:
         self.doing = Doing(self.placing)
         self.steaming = Steaming(self.doing)
         self.lifting = Lifting(self.work)
+        self.made: dict[int, Vessel] = {}
+        """In what each line was made, by its identity."""
 
     # --- the whole ---
 
@@ -122,7 +124,7 @@ class Cooking:
 
         What joins it is made first, but for what is made late.
         """
-        made: dict[int, Vessel] = {}
+        made = self.made
         turns, late = turns_of(line, after, main=main), self.stages.made_late(line)
         for turn in turns:
             self._run_all((add for add in self._alive(turn.stage) if id(add) not in late), turn, made)
@@ -153,11 +155,21 @@ class Cooking:
     def _run_all(self, lines: Iterable[Line], turn: Turn, made: dict[int, Vessel]) -> None:
         """Carry out lines that join at a stage; in what each of them is made is noted in ``made``."""
         for line in lines:
+            self._empty_for(line)
             vessel = self._run(line, after=(turn.stage, *turn.later))
             if vessel is not None:
                 made[id(line)] = vessel
             if self.stages.is_drained(line):
                 self._rinse_what_waits(turn.stage, self.course.joins_of(line))
+
+    def _empty_for(self, line: Line) -> None:
+        """Bring what waits in a vessel that a kitchen has once (a blender jar) into a bowl, if ``line`` needs that."""
+        for made, vessel in list(self.made.items()):
+            row = self.known.utensil(vessel.label)
+            if vessel.contents and row is not None and not row.many and vessel.label in _vessels_of(line):
+                bowl = self.bench.vessel("bowl")
+                self.carry.transfer(vessel, bowl, line.stages[-1])
+                self.made[made] = bowl
 
     def _make_late(self, turn: Turn, vessel: Vessel | None, made: dict[int, Vessel], late: Collection[int]) -> None:
         """Make what waited until now, and boil what waited for its sauce; meanwhile that is off the heat."""
@@ -238,6 +250,12 @@ class Cooking:
         """Whether what joins a stage dresses a dish that is done; one food alone has nothing to be mixed with."""
         alone = vessel is None and not incoming.lines and len(incoming.joins) == 1
         return turn.main and not alone and self.serving.is_dressed(turn.stage, vessel, incoming.joins, turn.later)
+
+
+def _vessels_of(line: Line) -> set[str]:
+    """Return what the vessels of a line are called, and those of the lines that join it."""
+    own = {stage.vessel for stage in line.stages}
+    return own.union(*(_vessels_of(add) for stage in line.stages for add in stage.lines))
 
 
 def _made_for(stage: Stage, made: Mapping[int, Vessel]) -> list[tuple[Line, Vessel]]:

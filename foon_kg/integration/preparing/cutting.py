@@ -10,7 +10,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from foon_kg.food import Food, Tables, singular
-from foon_kg.food.lists import word_list, word_lists
+from foon_kg.food.lists import says, word_list, word_lists
 from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Bench
 from foon_kg.integration.preparing.preparation import CUTS, NOT_BY_HAND, Want, is_mill, wants_a_mill
@@ -103,7 +103,7 @@ class Cutter:
         ways = self._ways_to_cut(want, state)
         grating = self._ways_to_grate(ways, want, state)
         like = self._nearest_cut(grating, want, state)
-        if like is None and want.facts.is_any(word_list("can be grated")):
+        if like is None and (state in word_list("is so by a grater") or want.facts.is_any(word_list("can be grated"))):
             like = self.bench.far(grating, want.names, act=True)
         return like or self._nearest_cut(ways, want, state)
 
@@ -113,7 +113,8 @@ class Cutter:
         torn = state in _COOKED_FIRST and want.facts.is_any(word_list("is flesh"))  # it is cooked by then
         ways = (_by_bare_hands(ways) if torn else []) or self.with_a_knife(ways, want, state)
         if wants_a_mill(state, want.facts, self.known):
-            return [way for way in ways if is_mill(way, self.known)]
+            mills = [way for way in ways if is_mill(way, self.known)]
+            return [way for way in mills if self.board(way) not in word_list("is no mill")] or mills
         return ways
 
     def _ways_to_divide(self, state: str) -> list[Way]:
@@ -213,7 +214,8 @@ class Cutter:
         """Return the way of cutting that is ``attested``, with the motion's usual tool if a video forgot to name it."""
         if attested.way[1]:
             return attested
-        tool = next((way[1] for way in self.operators.ways_of(attested.way[0]) if way[1]), ())
+        tools = [way[1] for way in self.operators.ways_of(attested.way[0]) if way[1]]
+        tool = min(tools, key=lambda some: says(some, "is no knife"), default=())
         return replace(attested, way=(attested.way[0], tool))
 
     def has_tool_to(self, work: str, way: Way) -> bool:
@@ -224,12 +226,17 @@ class Cutter:
     def _far(self, ways: Sequence[Way], want: Want) -> Attested | None:
         """Return how the likest food is divided: a knife cuts all, but no trout is grated or mashed like a carrot."""
         found = self.bench.far(ways, want.names, act=True)
-        gives_way = want.facts.is_a(*_SOFT, *word_list("crumbles"))
-        if found is not None and gives_way and "mash" in self.known.motion(found.way[0]).does:
+        if found is not None and self._gives_way(want, found.way):
             return found
         if found is not None and found.like is not None and found.like[2] >= LEAST_ALIKE:
             return found
         return self.bench.far([way for way in ways if "cut" in self.known.motion(way[0]).does], want.names, act=True)
+
+    def _gives_way(self, want: Want, way: Way) -> bool:
+        """Whether any masher mashes a food, or any mill grinds it, whatever others were mashed or ground so."""
+        does, is_any = self.known.motion(way[0]).does, want.facts.is_any
+        mashed = "mash" in does and is_any(_SOFT | word_list("crumbles"))
+        return mashed or ("grind" in does and is_any(word_list("is ground in a mill")))
 
     def board(self, way: Way) -> str:
         """Return what a food lies on or in while it is worked on in this way; ``""`` for the hand.

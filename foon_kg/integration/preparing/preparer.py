@@ -273,7 +273,9 @@ class Preparer(Treater):
         attested = self.with_tool(attested)
         board = self.board(attested.way)
         if board and ready.stuff.at is not None and not ready.stuff.at.storage and ready.stuff.at.label != board:
-            carried = self.bench.require([("pick-and-place", ()), ("pour", ())], want.names)
+            loose = ready.want.facts.is_any(word_list("lies loose"))
+            ways = ("pour", "pick-and-place") if loose else ("pick-and-place", "pour")
+            carried = self.bench.require([(way, ()) for way in ways], want.names)
             self.bench.bring([ready.stuff], self.bench.vessel(board), carried)  # nothing is cut in a strainer
         self.bench.act(ready.stuff, attested, (state,), board)
 

@@ -300,8 +300,15 @@ class Treater(Cutter):
         return self.bench.attest(ways, want.names, act=True) if opens else None
 
     def assume(self, ready: Ready, state: str) -> None:
-        """Take a food that gets ``ready`` in a state into which nobody brings it here, and say so."""
+        """Take a food that gets ``ready`` in a state into which nobody brings it here, and say so.
+
+        What was worked on here already stays as it is.
+        """
         stuff = ready.stuff
+        why = f"no step of this FOON makes {ready.want.label} {state}, nor a like food or one of its kind"
+        if stuff.at is not None and not stuff.at.storage:
+            ready.assumptions.append(f"{why}: it stays as it is")
+            return
         was = self.known.state(state).before
         kept = (s for s in stuff.states if not self.known.state(s).undivided and s not in was)
         stuff.states = tuple(sorted({*kept, state}))
@@ -309,7 +316,6 @@ class Treater(Cutter):
         if package:  # nobody buys a powder loose
             stuff.at = self.bench.vessel(package, storage=True)
             stuff.at.contents.append(stuff)
-        why = f"no step of this FOON makes {ready.want.label} {state}, nor a like food or one of its kind"
         ready.assumptions.append(why)
 
 
