@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from planner.judged import fatal
+from planner.public_foon import public_snapshot
 from planner.told_steps import first
 
 from foon_kg.food import tables
@@ -109,3 +111,9 @@ def test_the_root_of_turmeric_is_cut_and_its_powder_strewn(steps):
     assert "knife" in told[first(told, "turmeric", "chop")][0]
     told = steps("beef", "", "turmeric:ground", *rest)
     assert not any("knife" in inputs for inputs, _, _ in told if "turmeric" in inputs)
+
+
+def test_the_motion_of_a_video_that_stands_for_another_one_is_declared(public_plans):
+    found = public_plans("seafood", "", "shrimp:deveined", "garlic:minced", "butter:unmelted")
+    assert "devein" in {one.required for one in found.substitutions if one.kind == "motion"}
+    assert fatal(found, public_snapshot()) == []
