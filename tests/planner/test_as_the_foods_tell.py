@@ -101,3 +101,30 @@ def test_what_is_left_of_cooking_is_not_the_food_itself():
 )
 def test_there_is_a_tree_though_a_name_says_little(steps, dish_type, title, foods):
     assert steps(dish_type, title, *foods.split(","))
+
+
+def test_a_soup_with_a_tin_of_thick_milk_boils_in_water(steps):
+    told = steps("soup", "Chupe", "prawns:peeled", "oil:liquid", "onion:chopped", "rice:uncooked", "potatoes:cubed",
+                 "evaporated milk:liquid", "salt:granulated")  # fmt: skip
+    assert "water" in of(told, "simmer") | inside(told, "simmer")
+
+
+def test_potatoes_in_quarters_are_mashed_before_they_are_shaped(steps):
+    told = steps("potatoes", "Maakouda (fried potato cakes)", "potatoes:quartered", "garlic:minced", "egg:beaten",
+                 "flour:plain", "vegetable oil:liquid")  # fmt: skip
+    assert motions(told).index("mash") < motions(told).index("shape")
+
+
+def test_wine_in_a_roll_is_cooked_with_the_steak(steps):
+    told = steps("sandwich", "Prego no pao", "beef steaks:uncooked", "garlic:sliced", "white wine:liquid",
+                 "lard:creamy", "papo-secos rolls:whole", "yellow mustard:creamy")  # fmt: skip
+    assert "white wine" in of(told, "cook and stir")
+    assert "yellow mustard" not in of(told, "cook and stir")
+
+
+def test_a_filling_is_fried_and_closed_in_dough_that_rose(steps):
+    told = steps("pizza", "Pizza di scarola (escarole pie)", "flour:plain", "yeast:powder", "water:liquid",
+                 "salt:granulated", "escarole:trimmed", "olive oil:liquid", "raisins:whole")  # fmt: skip
+    made = motions(told)
+    assert {"escarole", "raisins"} <= of(told, "cook and stir")
+    assert made.index("ferment") < made.index("fold and pinch") < made.index("bake")
