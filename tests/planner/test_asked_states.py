@@ -117,3 +117,33 @@ def test_the_motion_of_a_video_that_stands_for_another_one_is_declared(public_pl
     found = public_plans("seafood", "", "shrimp:deveined", "garlic:minced", "butter:unmelted")
     assert "devein" in {one.required for one in found.substitutions if one.kind == "motion"}
     assert fatal(found, public_snapshot()) == []
+
+
+@pytest.mark.parametrize(
+    ("food", "cleaned"),
+    [
+        ("mud crab:cut", True), ("squid:raw", True), ("sea bass:whole", True), ("sea bream:cleaned", True),
+        ("cod fillet:raw", False), ("squid ring:raw", False), ("mussel:cleaned", False), ("salmon:raw", False),
+    ],
+)  # fmt: skip
+def test_what_was_caught_is_gutted_unless_it_is_sold_without(steps, food, cleaned):
+    told = steps("seafood", "", food, "garlic:chopped", "tomato sauce:sauce", "oil:liquid")
+    assert ("gut" in {motion for _, motion, _ in told}) == cleaned
+
+
+@pytest.mark.parametrize(
+    ("food", "rinsed"), [("anchovy:salted", True), ("salted caper:whole", True), ("caper:whole", False)]
+)
+def test_what_was_packed_in_salt_is_rinsed(steps, food, rinsed):
+    told = steps("pasta", "", "spaghetti:uncooked", food, "garlic:chopped", "olive oil:liquid")
+    label = food.partition(":")[0]
+    assert ("rinsed" in states_of(told, label)) == rinsed
+
+
+def test_what_is_mashed_next_is_boiled_until_it_is_done(steps):
+    told = steps(
+        "casserole", "Rutabaga casserole", "swede:diced", "egg:whole", "cream:creamy", "breadcrumb:crumbs",
+        "butter:softened", "salt:granulated",
+    )  # fmt: skip
+    made = first(told, "swede", "boil")
+    assert "cooked" in states_of(told[made : made + 1], "swede")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from foon_kg.integration.bench import Stuff, Vessel
 from foon_kg.integration.joining.course import COATS, MIXES, WORKS
 from foon_kg.integration.making.lifting import lifts_later
@@ -86,7 +87,7 @@ class Doing:
 
     def product(self, turn: Turn, vessel: Vessel, way: Way) -> Product:
         """Return what a stage makes of what is in a vessel, when it is done in some way."""
-        finished = not turn.is_heated_on
+        finished = not turn.is_heated_on or _is_next(turn, {"blend", "mash"})  # nobody mashes what is still hard
         label = self._label(turn, vessel) or self._coated(turn, vessel)
         fried = None if label else self._fried(turn, vessel)
         if fried is not None:
@@ -141,5 +142,10 @@ class Doing:
 
 def _is_crushed_next(turn: Turn) -> bool:
     """Whether the next that is done to what a stage of ``turn`` cooks leaves no piece of it to be found again."""
+    return _is_next(turn, {"blend", "mash", "shape"})
+
+
+def _is_next(turn: Turn, does: Set[str]) -> bool:
+    """Whether the next work on what a stage of ``turn`` cooks is one of these."""
     after = next((stage for stage in turn.later if not stage.does.isdisjoint(WORKS)), None)
-    return after is not None and not after.does.isdisjoint({"blend", "mash", "shape"})
+    return after is not None and not after.does.isdisjoint(does)

@@ -75,8 +75,7 @@ class Preparer(Treater):
             return
         if self._comes_in_a_liquid(want):
             self.drain(ready)
-        if want.facts.kind in word_list("is seeded first"):
-            self.bring_about(ready, min(word_list("is so once it is opened")))
+        self._rid(ready)
         if _is_soaked_first(want):
             self.soak(ready)
         self.bring_about(ready, want.make)
@@ -87,6 +86,15 @@ class Preparer(Treater):
         self._divide(ready, cut, alone=alone)
         self.clean_inside(ready, due)
         ready.cut_later = want.then or ready.cut_later
+
+    def _rid(self, ready: Ready) -> None:
+        """Rid a food that gets ``ready`` of the salt in which it was packed, and of what is inside it."""
+        want = ready.want
+        if _is_packed_in_salt(want):
+            self.rinse(ready, min(word_list("is so when it is rinsed")))
+        opened = _opened_first(want)
+        if opened:
+            self.bring_about(ready, opened)
 
     def _is_pressed(self, want: Want, form: Sequence[str]) -> bool:
         """Whether only the juice of a food joins: as it is asked, or as such a food joins elsewhere."""
@@ -278,6 +286,23 @@ class Preparer(Treater):
             carried = self.bench.require([(way, ()) for way in ways], want.names)
             self.bench.bring([ready.stuff], self.bench.vessel(board), carried)  # nothing is cut in a strainer
         self.bench.act(ready.stuff, attested, (state,), board)
+
+
+def _is_packed_in_salt(want: Want) -> bool:
+    """Whether a food is asked as it was packed in salt, by its state or its name: anchovies, capers."""
+    told = says((want.asked, *words(want.label)), "is packed in salt")
+    return told and want.facts.kind in word_list("is rinsed of its salt")
+
+
+def _opened_first(want: Want) -> str:
+    """Return in which state a food is once it is rid of what is inside it, before all else; ``""`` for most."""
+    kind = want.facts.kind
+    if kind in word_list("is seeded first"):
+        return min(word_list("is so once it is opened"))
+    whole = want.asked in word_list("is whole as it was caught")
+    caught = kind in word_list("is cleaned first where it is whole" if whole else "is cleaned first")
+    told = says((want.asked, *words(want.label)), "says that it is cleaned")
+    return min(word_list("is so once it is cleaned")) if caught and not told else ""
 
 
 def _is_worked_whole(want: Want) -> bool:
