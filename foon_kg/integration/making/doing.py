@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Set
+
 from foon_kg.integration.bench import Stuff, Vessel
 from foon_kg.integration.joining.course import COATS, MIXES, WORKS
 from foon_kg.integration.making.lifting import lifts_later
