@@ -147,3 +147,12 @@ def test_what_is_mashed_next_is_boiled_until_it_is_done(steps):
     )  # fmt: skip
     made = first(told, "swede", "boil")
     assert "cooked" in states_of(told[made : made + 1], "swede")
+
+
+def test_nuts_are_slivered_with_a_knife(steps):
+    rest = ("flour:powder", "sugar:granulated", "butter:softened")
+    told = steps("cookie", "", "pistachio:slivered", *rest)
+    (tools,) = [
+        inputs for inputs, motion, _ in told if "pistachio" in inputs and "cutting board" in inputs and motion != "pour"
+    ]
+    assert "knife" in tools

@@ -88,9 +88,9 @@ class Preparer(Treater):
         ready.cut_later = want.then or ready.cut_later
 
     def _rid(self, ready: Ready) -> None:
-        """Rid a food that gets ``ready`` of the salt in which it was packed, and of what is inside it."""
+        """Rid a food that gets ``ready`` of what it was packed in, and of what is inside it."""
         want = ready.want
-        if _is_packed_in_salt(want):
+        if _is_packed_dry(want):
             self.rinse(ready, min(word_list("is so when it is rinsed")))
         opened = _opened_first(want)
         if opened:
@@ -288,10 +288,10 @@ class Preparer(Treater):
         self.bench.act(ready.stuff, attested, (state,), board)
 
 
-def _is_packed_in_salt(want: Want) -> bool:
-    """Whether a food is asked as it was packed in salt, by its state or its name: anchovies, capers."""
-    told = says((want.asked, *words(want.label)), "is packed in salt")
-    return told and want.facts.kind in word_list("is rinsed of its salt")
+def _is_packed_dry(want: Want) -> bool:
+    """Whether a food is asked as it was packed to be kept, by its state or its name."""
+    told = says((want.asked, *words(want.label)), "is packed dry")
+    return told and want.facts.kind in word_list("is rinsed of what it was packed in")
 
 
 def _opened_first(want: Want) -> str:
