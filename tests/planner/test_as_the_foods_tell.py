@@ -128,3 +128,11 @@ def test_a_filling_is_fried_and_closed_in_dough_that_rose(steps):
     made = motions(told)
     assert {"escarole", "raisins"} <= of(told, "cook and stir")
     assert made.index("ferment") < made.index("fold and pinch") < made.index("bake")
+
+
+def test_porridge_is_folded_into_thin_dough(steps):
+    told = steps("pie", "Karjalanpiirakat (Karelian rice pasties)", "short-grain rice:uncooked", "milk:liquid",
+                 "rye flour:powder", "water:cold", "salt:granulated", "butter:melted")  # fmt: skip
+    assert {"short-grain rice", "milk"} <= of(told, "simmer") | inside(told, "simmer")
+    assert "short-grain rice" not in of(told, "knead")
+    assert motions(told).index("fold and pinch") < motions(told).index("bake")
