@@ -62,3 +62,9 @@ def test_soda_in_a_drink_is_heated_with_its_milk(steps):
     told = steps("drinks", "Rompope", "whole milk:liquid", "sugar:granulated", "cinnamon stick:whole",
                  "baking soda:powder", "egg yolks:uncooked", "white rum:liquid")  # fmt: skip
     assert "baking soda" in inside(told, "cook and stir")
+
+
+def test_a_topping_of_egg_and_cream_is_baked_on_a_cake(steps):
+    told = steps("cake", "Gibanica", "filo pastry:raw", "walnuts:ground", "tart apples:grated", "sugar:granulated",
+                 "soured cream:creamy:topping", "eggs:uncooked:topping", "butter:melted:topping")  # fmt: skip
+    assert first(told, "eggs", "whisk") < motions(told).index("bake")
