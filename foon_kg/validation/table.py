@@ -46,6 +46,21 @@ def raw(case: Case) -> Iterator[Finding]:
             minor = level is Level.MINOR or (part.food.is_any(eased) and not _is_asked_cooked(case, part))
             yield Finding("K1", f"{part.name} is in the dish and was not cooked {how}", minor=minor)
     yield from _never_hot(case)
+    yield from _bare(case)
+
+
+def _bare(case: Case) -> Iterator[Finding]:
+    """Yield what nobody eats raw by itself (garlic, curry powder), on what is hot, with nothing that takes it up."""
+    heated = max((part.heated for part in case.parts if part.heated is not None), default=None)
+    if heated is None:
+        return
+    late = [part for part in case.parts if part.heated is None and (part.joined or part.taken) > heated]
+    if any(part.food.is_any(word_list("takes up what is raw")) for part in late):
+        return
+    asked = {singular(one.object) for one in case.required if one.part}
+    for part in late:
+        if part.food.is_any(word_list("is not eaten raw by itself")) and not part.unstated and part.name not in asked:
+            yield Finding("K1", f"{part.name} lies raw on what is done", part.joined)
 
 
 def _eaten_cooked(case: Case, called: Sequence[Dish]) -> list[Part]:

@@ -107,6 +107,14 @@ def test_the_liquid_of_a_food_is_taken_from_the_pot_in_which_that_boiled(steps):
     assert first(told, "beetroots", "cook") < taken < drained
 
 
+def test_onions_of_a_puree_are_fried_before_they_come_into_it(steps):
+    told = steps(
+        "vegetables", "Pumpkin puree", "pumpkin:cubed", "oil:liquid", "onion:chopped", "garlic:crushed", "salt:"
+    )
+    assert {"onion", "garlic"} <= _together(told, "cook and stir")
+    assert {"onion", "garlic", "pumpkin"} <= inside(told, "mash")
+
+
 def _is_taken(outputs):
     """Return whether a step takes some of the water out of a pot."""
     labels = {node.label for node in outputs}

@@ -345,3 +345,34 @@ def test_k2_remains_that_a_recipe_asks_for_may_be_peeled_off_in_the_tree():
 
 def test_k2_what_only_a_name_in_braces_tells_is_not_called_whole():
     assert found("K2", "bag ({tomato}) + plate (empty) → POUR → plate ({tomato}) + tomato (on plate)") == []
+
+
+# --- K1 raw: what is eaten raw only in what takes it up ---
+
+
+def strewn(food, state, beside=""):
+    """A grilled fish on a plate, and a food that is strewn on it; ``beside`` is another one that comes then."""
+    told = f"""
+fish (raw) + grill (off) → PUT → fish (raw; on grill) + grill (off)
+grill (off) → TURN ON → grill (on)
+fish (raw; on grill) + grill (on) → GRILL → fish (grilled; on grill) + grill (on)
+fish (grilled; on grill) + plate (empty) → PUT → fish (grilled; on plate) + plate ({{fish}})
+{food} ({state}) + plate ({{fish}}) → SPRINKLE → {food} ({state}; on plate) + plate ({{{food}, fish}})
+"""
+    if beside:
+        told += (
+            f"{beside} (liquid; in bottle) + plate ({{{food}, fish}}) → POUR "
+            f"→ {beside} (liquid; on plate) + plate ({{{beside}, {food}, fish}})"
+        )
+    return told
+
+
+@pytest.mark.parametrize(("food", "state"), [("garlic", "minced"), ("curry powder", "ground")])
+def test_k1_what_nobody_eats_raw_by_itself_is_strewn_on_nothing_that_was_cooked(food, state):
+    assert found("K1", strewn(food, state)) == [f"K1 step 5: {food} lies raw on what is done"]
+    assert found("K1", strewn(food, state, beside="olive oil")) == []
+
+
+def test_k1_herbs_and_pepper_are_strewn_on_what_is_done():
+    assert found("K1", strewn("parsley", "chopped")) == []
+    assert found("K1", strewn("black pepper", "ground")) == []
