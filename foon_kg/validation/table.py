@@ -51,16 +51,20 @@ def raw(case: Case) -> Iterator[Finding]:
 
 def _bare(case: Case) -> Iterator[Finding]:
     """Yield what nobody eats raw by itself (garlic, curry powder), on what is hot, with nothing that takes it up."""
-    heated = max((part.heated for part in case.parts if part.heated is not None), default=None)
-    if heated is None:
-        return
-    late = [part for part in case.parts if part.heated is None and (part.joined or part.taken) > heated]
+    late = _after_all_heat(case)
     if any(part.food.is_any(word_list("takes up what is raw")) for part in late):
         return
     asked = {singular(one.object) for one in case.required if one.part}
     for part in late:
-        if part.food.is_any(word_list("is not eaten raw by itself")) and not part.unstated and part.name not in asked:
+        if part.food.is_any(word_list("is not eaten raw by itself")) and part.name not in asked:
             yield Finding("K1", f"{part.name} lies raw on what is done", part.joined)
+
+
+def _after_all_heat(case: Case) -> list[Part]:
+    """Return the parts of a dish that come to it when nothing is heated any more; none where nothing ever was."""
+    heated = [part.heated for part in case.parts if part.heated is not None]
+    cold = [part for part in case.parts if part.heated is None and not part.unstated]
+    return [part for part in cold if heated and (part.joined or part.taken) > max(heated)]
 
 
 def _eaten_cooked(case: Case, called: Sequence[Dish]) -> list[Part]:
