@@ -371,6 +371,7 @@ fish (grilled; on grill) + plate (empty) → PUT → fish (grilled; on plate) + 
 def test_k1_what_nobody_eats_raw_by_itself_is_strewn_on_nothing_that_was_cooked(food, state):
     assert found("K1", strewn(food, state)) == [f"K1 step 5: {food} lies raw on what is done"]
     assert found("K1", strewn(food, state, beside="olive oil")) == []
+    assert found("K1", strewn(food, state, beside="parsley")) == []
 
 
 def test_k1_herbs_and_pepper_are_strewn_on_what_is_done():
