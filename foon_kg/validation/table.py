@@ -54,7 +54,7 @@ def _bare(case: Case) -> Iterator[Finding]:
     late = _after_all_heat(case)
     if any(part.food.is_any(word_list("takes up what is raw")) for part in late):
         return
-    asked = {singular(one.object) for one in case.required if one.part}
+    asked = {singular(one.object) for one in case.required if one.part} | {*words(case.title or "")}
     for part in late:
         if part.food.is_any(word_list("is not eaten raw by itself")) and part.name not in asked:
             yield Finding("K1", f"{part.name} lies raw on what is done", part.joined)
