@@ -84,8 +84,9 @@ def _is_in_a_strainer(thing: _Matter, played_step: PlayedStep) -> bool:
 
 def _runs_through(thing: _Matter) -> bool:
     """Whether it is a paste, or a meal that was boiled to a porridge."""
-    paste = says(thing.node.states, "is a paste") and not says(thing.node.states, "keeps its shape")
-    return paste or (thing.heated and thing.has("swells to a porridge"))
+    if says(thing.node.states, "keeps its shape"):
+        return False
+    return says(thing.node.states, "is a paste") or (thing.heated and thing.has("swells to a porridge"))
 
 
 def _is_on_bare_board(thing: _Matter, played_step: PlayedStep) -> bool:

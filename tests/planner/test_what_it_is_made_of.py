@@ -68,3 +68,37 @@ def test_seeds_are_ground_by_a_step_though_nobody_ground_such_seeds(steps):
     told = steps("salad", "Potato salad", "potato:boiled", "sesame seeds:ground", "onion:chopped", "lemon:juice")
     ground = next(motion for inputs, motion, _ in told if "sesame seeds" in inputs)
     assert "grind" in ground
+
+
+def states_in(told, food):
+    return {one for _, _, outputs in told for node in outputs if node.label == food for one in node.states}
+
+
+def test_nobody_stirs_a_joint_in_one_piece(steps):
+    told = steps("beef", "Rawon", "beef brisket:whole", "oil:liquid", "onion:chopped", "garlic:minced", "water:liquid")
+    stirring = [inputs for inputs, motion, _ in told if "stir" in motion.split()]
+    assert not any("beef brisket" in inputs for inputs in stirring)
+    cut = steps("beef", "Rawon", "beef brisket:cubed", "oil:liquid", "onion:chopped", "garlic:minced", "water:liquid")
+    assert any("beef brisket" in inputs and "stir" in motion.split() for inputs, motion, _ in cut)
+
+
+def test_what_is_strewn_on_a_steak_is_not_flipped(steps):
+    told = steps("steak", "Steak", "sirloin steak:raw", "butter:melted", "salt:granulated", "black pepper:ground")
+    assert "flipped" in states_in(told, "sirloin steak")
+    assert not {"flipped"} & (states_in(told, "salt") | states_in(told, "black pepper"))
+
+
+@pytest.mark.parametrize("food", ["clams:chopped", "coconut:chopped", "coconut:"])
+def test_nothing_is_cut_in_its_shell(public_plans, steps, food):
+    label = food.partition(":")[0]
+    asked = ("soup", "Soup", food, "chicken stock:liquid", "potato:diced", "onion:chopped")
+    assert not any(label in inputs and motion == "peel" for inputs, motion, _ in steps(*asked))
+    (node,) = [node for node in public_plans(*asked).kitchen if node.label == label]
+    assert node.states == ("meat",)
+
+
+def test_bread_is_not_cored_to_be_trimmed(steps):
+    told = steps(
+        "sandwich", "Hot Brown", "Texas toast:trimmed", "turkey breast:sliced", "cheddar:grated", "butter:soft"
+    )
+    assert "core" not in motions(told)

@@ -33,8 +33,16 @@ def worked(foods, motion, state="kneaded, mixed"):
         ({"egg": "cracked", "peanut butter": "creamy"}, False),
     ],
 )
-def test_w4_only_what_makes_a_dough_or_paste_is_kneaded(foods, fault):
-    assert breaks(worked(foods, "KNEAD"), "can be kneaded") is fault
+@pytest.mark.parametrize("motion", ["KNEAD", "SHAPE"])
+def test_w4_only_what_makes_a_dough_or_paste_is_kneaded_or_shaped(motion, foods, fault):
+    assert breaks(worked(foods, motion), "can be kneaded") is fault
+
+
+def test_w4_noodles_of_semolina_keep_their_shape_in_a_strainer():
+    foods = "flour, semolina, water"
+    step = f"pot (hot; {{{foods}}}) + dough (cut, kneaded, partly cooked; {{{foods}}}; in pot) + strainer (empty) → "
+    step += f"DRAIN → strainer ({{{foods}}}) + dough (cut, kneaded, partly cooked; {{{foods}}}; in strainer)"
+    assert not breaks(step, "no strainer holds")
 
 
 def test_w4_what_has_set_may_be_rolled():

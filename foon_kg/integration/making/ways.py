@@ -6,7 +6,7 @@ from collections.abc import Sequence, Set
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, RefusedError, Vessel, foods_of
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, fineness, foods_of
 from foon_kg.integration.joining.course import COATS, MIXES, WORKS
 from foon_kg.integration.teaching.frames import HEATS, Asked, Phase, Stage
 from foon_kg.integration.teaching.operators import Attested, Nearness, Way
@@ -27,12 +27,20 @@ class Ways:
         foods = foods_of(vessel)
         if stage.does >= COATS:
             return self.bench.require([(stage.motion, stage.tools)], foods)
+        if stage.does >= {"heat", "mix"} and any(map(self._is_in_one_piece, vessel.contents)):
+            return self.bench.require(self.cooking(), foods)
         if stage.motion in word_list("needs a closed vessel") and not _is_closed(vessel):
             return self.stirring(foods)
         if "heat" in stage.does and "heat" not in self.known.motion(stage.motion).does:
             return self.stirring_hot(foods)
         tooled = self._with_a_tool(stage, foods) if _is_mixed_by_hand(stage, vessel) else None
         return tooled or self._attested(stage, foods)
+
+    def _is_in_one_piece(self, stuff: Stuff) -> bool:
+        """Whether it is turned in one piece, and nobody cut it: no spoon stirs that."""
+        facts = self.known.foods.food(stuff.label)
+        turned = not stuff.mixed and facts.is_any(word_list("is turned in one piece"))
+        return turned and fineness(stuff.states, self.known) == 0
 
     def stirring(self, foods: Sequence[str]) -> Attested:
         """Return the likeliest way to mix foods through with a tool, as they are."""

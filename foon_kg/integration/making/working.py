@@ -13,7 +13,7 @@ from foon_kg.integration.making.outcome import Outcome, says_raw
 from foon_kg.integration.making.rising import Rising
 from foon_kg.integration.making.taking_out import TakingOut
 from foon_kg.integration.making.ways import Ways
-from foon_kg.integration.teaching.forms import is_liquid_fat
+from foon_kg.integration.teaching.forms import form_of, is_liquid_fat
 from foon_kg.integration.teaching.operators import Attested
 from foon_kg.world import Mention, Step
 
@@ -142,7 +142,12 @@ class Worker:
         melts = facts.is_a("fat", *word_list("melts in the heat")) and not facts.is_a("liquid")
         if over_heat and melts and not stuff.mixed:
             return ("melted",)
-        return tuple(sorted({*(state for state in stuff.states if not says_raw(state, self.known)), *states}))
+        given = set(states) - ({*word_list("only what lies in one piece is so")} if self._is_strewn(stuff) else set())
+        return tuple(sorted({*(state for state in stuff.states if not says_raw(state, self.known)), *given}))
+
+    def _is_strewn(self, stuff: Stuff) -> bool:
+        """Whether it is a liquid or a powder on what is turned over, and nothing that is turned itself."""
+        return not stuff.mixed and form_of(self.known, stuff.label, stuff.states) in {"liquid", "powder"}
 
     def _fat_that_clings(self, stuffs: Sequence[Stuff]) -> list[Stuff]:
         """Return the liquid fat of which some clings to the one thing fried in it, where that is made of several."""

@@ -191,7 +191,15 @@ def _otherwise(want: Want, plain: str, row: State, operators: Operators) -> Want
     others = _done_by_others(want, row, operators)
     if others is not None:
         return others
-    return replace(want, make=state) if _can_be_made(want, form, row, operators) else replace(want, read_as=plain)
+    if not _can_be_made(want, form, row, operators):
+        return replace(want, read_as=plain)
+    return replace(_without_its_shell(want, row), make=state)
+
+
+def _without_its_shell(want: Want, row: State) -> Want:
+    """Return a food that is asked in pieces, and comes in a shell that no knife cuts: its flesh is bought."""
+    shelled = row.fineness > 0 and want.facts.is_any(word_list("is cut out of its shell"))
+    return replace(want, leaf=(min(word_list("is sold out of its shell")),)) if shelled else want
 
 
 def _lacks_a_mill(want: Want, operators: Operators) -> bool:
@@ -267,7 +275,7 @@ def _is_trimmed_here(want: Want, form: str) -> bool | None:
     """
     if want.asked not in word_list("is cut off at the ends"):
         return None
-    if want.facts.is_any(word_list("is flesh")):
+    if want.facts.is_any(word_list("is flesh") | word_list("is trimmed when it is bought")):
         return False
     return True if want.facts.is_a("vegetable") and form == "whole" else None
 
