@@ -68,3 +68,10 @@ def test_a_topping_of_egg_and_cream_is_baked_on_a_cake(steps):
     told = steps("cake", "Gibanica", "filo pastry:raw", "walnuts:ground", "tart apples:grated", "sugar:granulated",
                  "soured cream:creamy:topping", "eggs:uncooked:topping", "butter:melted:topping")  # fmt: skip
     assert first(told, "eggs", "whisk") < motions(told).index("bake")
+
+
+def test_bought_sheets_are_not_kneaded_with_the_eggs_of_their_filling(steps):
+    told = steps("pie", "Brik", "malsouka:raw", "butter:melted", "chicken thighs:raw", "onion:finely chopped",
+                 "potatoes:fried", "eggs:uncooked", "olive oil:liquid", "salt:granulated")  # fmt: skip
+    assert "knead" not in motions(told)
+    assert "eggs" in inside(told, "mix")
