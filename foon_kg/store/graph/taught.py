@@ -76,5 +76,8 @@ class Ahead:
             del self._begun[one.name]
 
     def taught_by(self, subgraph: Subgraph) -> Taught:
-        """Return what ``subgraph`` teaches, a video of the batch that is written; KeyError for any other."""
+        """Return what ``subgraph`` teaches, a video of the batch that is written or of the next.
+
+        Raises what working it out raised, and KeyError for any other video.
+        """
         return self._begun[subgraph.name].result()
