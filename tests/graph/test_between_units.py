@@ -86,6 +86,16 @@ def test_after_any_loads_replacements_and_removals_it_says_what_the_videos_say(c
     assert as_written(connection) == as_annotated(there.values())
 
 
+@pytest.mark.parametrize("there", [0, 1, 2])
+def test_videos_that_come_and_go_together_count_what_moves_in_each_of_them(connection, there):
+    videos = [video("a", (0, 1), (1, 3), (0, 3)), video("b", (0, 3), (1, 0)), video("c", (0, 2), (1, 2))]
+    load(connection, videos[:there])
+    load(connection, videos)
+    assert as_written(connection) == as_annotated(videos)
+    remove(connection, ["a", "c"])
+    assert as_written(connection) == as_annotated([videos[1]])
+
+
 def test_a_whole_foon_at_once_and_video_by_video_are_told_alike(connection):
     foon = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
     load(connection, foon)

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
-from typing import Any
 
 from foon_kg.model import Subgraph
 
@@ -21,18 +20,6 @@ def movements(subgraphs: Iterable[Subgraph]) -> Counter[Movement]:
         for side, participants in (("inputs", unit.inputs), ("outputs", unit.outputs)):
             found.update({(unit.key, side, one.node.key) for one in participants if one.moving})
     return found
-
-
-def movement_rows(moving: Mapping[Movement, int], weight: int = 1) -> list[dict[str, Any]]:
-    """Return what ``load_movements`` adds for sightings that come, of what is ``moving`` in them, a row a unit.
-
-    For those that go, ``weight`` is -1.
-    """
-    rows: dict[str, dict[str, Any]] = {}
-    for (unit, side, node), count in sorted(moving.items()):
-        row = rows.setdefault(unit, {"unit": unit, "inputs": [], "outputs": []})
-        row[side].append({"key": node, "count": weight * count})
-    return list(rows.values())
 
 
 def following(subgraph: Subgraph) -> Iterator[tuple[str, str, int]]:

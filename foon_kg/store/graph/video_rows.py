@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -45,12 +45,11 @@ def rows_of(subgraph: Subgraph, kitchen: Kitchen) -> VideoRows:
     """Return the rows of ``subgraph`` in this ``kitchen``."""
     units = {annotation.unit.key: annotation.unit for annotation in subgraph.annotations}
     nodes = {node for unit in units.values() for node in (*unit.input_nodes, *unit.output_nodes)}
-    moving = movements([subgraph])
     name = subgraph.name
     return VideoRows(
         video={"name": name, "content": subgraph.content_key, "sources": subgraph.sources},
         objects={node.key: _object_row(node, kitchen) for node in nodes},
-        units={key: _unit_row(unit, moving) for key, unit in units.items()},
+        units=unit_rows(subgraph),
         sightings=tuple(
             {"unit": one.unit.key, "video": name, "properties": properties_of(one, position)}
             for position, one in enumerate(subgraph.annotations)
@@ -60,6 +59,12 @@ def rows_of(subgraph: Subgraph, kitchen: Kitchen) -> VideoRows:
         seen=_seen(subgraph),
         words={key: words_of(unit, kitchen.is_utensil) for key, unit in units.items()},
     )
+
+
+def unit_rows(subgraph: Subgraph) -> dict[str, dict[str, Any]]:
+    """Return the rows of the units of ``subgraph`` by their keys, each as often moving as it is seen so there."""
+    moving = movements([subgraph])
+    return {annotation.unit.key: _unit_row(annotation.unit, moving) for annotation in subgraph.annotations}
 
 
 def _goal_rows(subgraph: Subgraph, kitchen: Kitchen) -> tuple[dict[str, str], ...]:
@@ -87,20 +92,28 @@ def objects_together(videos: Iterable[VideoRows]) -> dict[str, dict[str, Any]]:
     return dict(sorted(found.items()))
 
 
-def units_together(videos: Iterable[VideoRows]) -> dict[str, dict[str, Any]]:
-    """Return the rows of all units of ``videos``, sorted by their keys: what several show is counted in all of them."""
+def units_together(videos: Iterable[Mapping[str, dict[str, Any]]]) -> dict[str, dict[str, Any]]:
+    """Return the rows of all units of ``videos``, sorted by their keys: what several show is counted in all of them.
+
+    Each video is given as :func:`unit_rows` returns its units.
+    """
     found: dict[str, dict[str, Any]] = {}
-    for video in videos:
-        for key, row in video.units.items():
+    for units in videos:
+        for key, row in units.items():
             there = found.get(key)
             found[key] = row if there is None else there | {side: _sum(there[side], row[side]) for side in _SIDES}
     return dict(sorted(found.items()))
 
 
-def movement_row(row: Mapping[str, Any]) -> dict[str, Any] | None:
-    """Return what ``load_movements`` adds of the unit of a ``row``, or ``None`` where nothing of it moves."""
-    sides = {side: [{"key": key, "count": count} for key, count in row[side] if count] for side in _SIDES}
-    return {"unit": row["key"], **sides} if any(sides.values()) else None
+def movement_rows(units: Iterable[Mapping[str, Any]], weight: int = 1) -> Iterator[dict[str, Any]]:
+    """Yield what ``load_movements`` adds for the rows of ``units``, of those in which something moves.
+
+    For sightings that go, ``weight`` is -1.
+    """
+    for row in units:
+        sides = {side: [{"key": key, "count": weight * count} for key, count in row[side] if count] for side in _SIDES}
+        if any(sides.values()):
+            yield {"unit": row["key"], **sides}
 
 
 def _object_row(node: ObjectNode, kitchen: Kitchen) -> dict[str, Any]:

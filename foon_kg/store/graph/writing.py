@@ -22,12 +22,11 @@ from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.learning import Learner
 from foon_kg.store.graph.learnt_by import methods_key
-from foon_kg.store.graph.movements import movement_rows, movements
 from foon_kg.store.graph.schema import kitchen_key, schema_version
 from foon_kg.store.graph.statements import Ask
 from foon_kg.store.graph.taught import Taught, taught_by
 from foon_kg.store.graph.values import bare_unit_of, subgraph_of
-from foon_kg.store.graph.video_rows import VideoRows, movement_row, objects_together, units_together
+from foon_kg.store.graph.video_rows import VideoRows, movement_rows, objects_together, unit_rows, units_together
 from foon_kg.store.vocabulary import UnitWords, WordCounts
 
 
@@ -62,7 +61,7 @@ class Writer:
         rows = [one.rows for one in taught]
         self._ask(cypher.LOAD_VIDEOS, videos=[one.video for one in rows])
         self._add_nodes(objects_together(rows))
-        fresh = self._add_units(units_together(rows))
+        fresh = self._add_units(units_together(one.units for one in rows))
         self._add_sightings(rows)
         self._counts.add(_words_of_units(rows, fresh))
         self._learner.learn(sorted(fresh), taught)
@@ -71,10 +70,13 @@ class Writer:
         """Write units, and what moves in those that were there; return the keys of those that are new."""
         rows = self._ask(cypher.LOAD_UNITS, units=list(units.values()))
         fresh = set(chain.from_iterable(row.keys for row in rows))
-        known = (row for key, row in units.items() if key not in fresh)
-        if moving := [row for row in map(movement_row, known) if row]:
-            self._ask(cypher.LOAD_MOVEMENTS, rows=moving)
+        self._add_movements(row for key, row in units.items() if key not in fresh)
         return fresh
+
+    def _add_movements(self, units: Iterable[Mapping[str, Any]], weight: int = 1) -> None:
+        """Add what moves in ``units``, which the graph has; where their sightings go, ``weight`` is -1."""
+        if rows := list(movement_rows(units, weight)):
+            self._ask(cypher.LOAD_MOVEMENTS, rows=rows)
 
     def _add_nodes(self, nodes: Mapping[str, Mapping[str, Any]]) -> None:
         """Write object nodes, and remember the states of those that are new and the words of all."""
@@ -93,7 +95,7 @@ class Writer:
         if names:
             going = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
             self._words.update(word for subgraph in going for word in _words_of(subgraph))
-            self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(movements(going), weight=-1))
+            self._add_movements(units_together(map(unit_rows, going)).values(), weight=-1)
             self._ask(cypher.FORGET_GOALS, names=names)
             self._doubtful |= {row.key for row in self._ask(cypher.FORGET_SIGHTINGS, names=names)}
             self._learner.forget(names)
