@@ -21,7 +21,7 @@ FLAGS = (
     "-XX:+UseSerialGC",  # starts faster and takes less memory than the parallel collectors do at this heap size
     *HEAP,
     "-XX:NewRatio=1",  # what a transaction of a load holds dies young, and is not copied into the old half
-    # What runs a thousand times is not worth a second's work of the best compiler; long questions take no longer.
+    # Java's own are 5000, 600, 15000 and 40000: what runs so seldom is not worth the work of the best compiler.
     "-XX:Tier4InvocationThreshold=20000",
     "-XX:Tier4MinInvocationThreshold=2000",
     "-XX:Tier4CompileThreshold=40000",
