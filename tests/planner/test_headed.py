@@ -67,6 +67,14 @@ def test_what_a_heading_calls_as_the_title_does_is_the_dish_itself(steps):
     assert steps("soup", "Beef goulash", *foods, "potatoes:diced:goulash", "paprika:ground:goulash") == plain
 
 
+def test_the_s_of_whose_dish_it_is_ends_no_name(steps):
+    foods = [f"{food}:horseradish" for food in ("apples:grated", "horseradish:grated", "lemon juice:juice")]
+    asked = ("beef:raw", "onions:halved", "carrots:peeled", "salt:granulated", *foods)
+    named = steps("beef", "Horseradish beef", *asked)
+    assert steps("beef", "Tom's horseradish beef", *asked) == named
+    assert steps("beef", "Beef s horseradish", *asked) != named  # a Slavic "with"
+
+
 def test_flour_under_the_heading_of_noodles_is_a_dough(steps):
     told = steps(
         "noodle", "Hand-pulled noodles with lamb", "lamb:sliced", "onion:sliced", "tomatoes:chopped", "oil:liquid",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -13,6 +14,8 @@ from foon_kg.model import Recipe
 
 SIDE = "side"
 """The part of what is made beside a dish, as a heading of a name of its own says it."""
+
+_WHOSE = re.compile(r"['\u2019]s\b", re.IGNORECASE)
 
 
 def as_headed(recipe: Recipe, wants: Sequence[Want]) -> Recipe:
@@ -28,7 +31,7 @@ def as_headed(recipe: Recipe, wants: Sequence[Want]) -> Recipe:
 def _part_called(name: str, recipe: Recipe, wants: Sequence[Want]) -> str:
     """Return the part that a heading calls by ``name``, above these ``wants``; ``""`` for the dish itself."""
     called = words(name)
-    dish = {*_before_with(words(recipe.title or "")), *words(recipe.dish_type or "")}
+    dish = {*_before_with(recipe.title or ""), *words(recipe.dish_type or "")}
     if says((name, *called), "is a dough by its name"):
         return "dough" if any(want.facts.is_a("flour") for want in wants) else ""
     if says((name, *called), "is the dish itself") or not dish.isdisjoint(called):
@@ -38,7 +41,8 @@ def _part_called(name: str, recipe: Recipe, wants: Sequence[Want]) -> str:
     return SIDE
 
 
-def _before_with(title: Sequence[str]) -> Sequence[str]:
-    """Return the words of a title that call the dish, without what it is served with."""
-    ends = (place for place, word in enumerate(title) if word in word_list("says what it is served with"))
-    return title[: next(ends, len(title))]
+def _before_with(title: str) -> Sequence[str]:
+    """Return the words of a title that call the dish, without whose it is, and what it is served with."""
+    told = words(" ".join(_WHOSE.split(title)))  # the s of a shepherd's pie is no "with"
+    ends = (place for place, word in enumerate(told) if word in word_list("says what it is served with"))
+    return told[: next(ends, len(told))]
