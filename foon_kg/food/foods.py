@@ -130,7 +130,7 @@ class FoodTable:
 
     def _in_singular(self, label: str) -> str:
         """Return ``label`` as the table has it: in the singular, unless its plural means another food there."""
-        plain = _plain(label)
+        plain = as_in_the_table(label)
         name = singular(plain)
         other = self.plurals.get(plain.lower().rpartition(" ")[2], "")
         if not other or name in self.kind_of or " " not in name:
@@ -199,7 +199,7 @@ def make_room(kept: dict[Any, Any]) -> None:
         kept.clear()
 
 
-def _plain(label: str) -> str:
+def as_in_the_table(label: str) -> str:
     """Return a label as the table has it: without brackets, without accents (pâté), without its bone-in or skin-on."""
     return without_accents(_WITH_BONES.sub("", label.partition(" (")[0]) or label)
 

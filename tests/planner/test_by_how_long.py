@@ -47,6 +47,12 @@ def test_thin_slices_of_shoulder_are_fried(steps):
     assert "simmer" not in motions(told)
 
 
+@pytest.mark.parametrize("thighs", ["bone-in chicken thighs", "chicken thighs, bone-in"])
+def test_a_piece_with_its_bone_in_is_fried_and_no_bone_that_is_braised(steps, thighs):
+    told = steps("chicken", "Fried chicken", f"{thighs}:raw", "oil:liquid", "garlic:minced", "salt:granulated")
+    assert not any("water" in inputs for inputs, _, _ in told)
+
+
 @pytest.mark.parametrize(("meat", "before"), [("beef chuck", True), ("chicken thighs", False)])
 def test_potatoes_come_into_a_stew_when_what_takes_longer_is_nearly_done(steps, meat, before):
     told = steps("soup", "Stew", f"{meat}:cubed", "potatoes:cubed", "onion:chopped", "oil:liquid", "stock:liquid")

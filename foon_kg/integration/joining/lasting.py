@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from foon_kg.food import Food, words
+from foon_kg.food.foods import as_in_the_table
 from foon_kg.food.lists import says, word_list
 from foon_kg.integration.joining.additions import BINDS, FRIED, LAST, LONG, SOON, WET, Addition, is_bath
 from foon_kg.integration.joining.spots import Join, any_is
@@ -32,7 +33,7 @@ def as_long_as_needed(additions: Sequence[Addition], within: Sequence[Join]) -> 
 def _takes_hours(join: Join) -> bool:
     """Whether an asked food is tender only after hours in a liquid: tough flesh, or pulses that are dry."""
     want, facts = join.want, join.want.facts
-    if want.cooked or not says((facts.kind, facts.taken_for), "takes hours in a liquid"):
+    if want.cooked or not says((facts.kind, facts.taken_for), LONG):
         return False
     return _is_said_tough(want.label) or not facts.is_any(word_list("is tender in half an hour"))
 
@@ -42,9 +43,11 @@ def is_braised(join: Join) -> bool:
     want = join.want
     if any("dry" in stage.does for stage in join.spot.after):
         return False  # it has its hours in the oven
-    tough = want.facts.is_any(word_list("is flesh")) and says(words(want.label), "is tough until it is braised")
-    thin = says((want.asked, want.make), "is thin enough for a pan") or says(words(want.label), "is fried as it is cut")
-    return tough and not thin and not want.cooked and "cook" in want.facts.owes
+    told = words(as_in_the_table(want.label))  # a chop with its bone in is no bone
+    tough = _is_said_tough(want.label) or says(told, "is tough until it is braised")
+    thin = says((want.asked, want.make), "is thin enough for a pan") or says(told, "is fried as it is cut")
+    flesh = want.facts.is_any(word_list("is flesh")) and "cook" in want.facts.owes
+    return flesh and tough and not thin and not want.cooked
 
 
 def _is_said_tough(label: str) -> bool:
