@@ -12,9 +12,9 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.techniques import Technique
 from foon_kg.integration.composing.assigning import line_told
 from foon_kg.integration.composing.techniques import stage_of
+from foon_kg.integration.joining.additions import is_raw_flesh
 from foon_kg.integration.joining.patterns import put_at, with_line
 from foon_kg.integration.joining.spots import Join
-from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Stage
 
 _BOWL = "mixing bowl"
@@ -26,7 +26,7 @@ def marinated(line: Line, joins: Sequence[Join], technique: Technique | None) ->
     Nothing changes where the dish's ``technique`` has a line for it, or where no raw flesh comes to a heat.
     """
     joins = tuple(joins)
-    told = [join for join in joins if _is_listed_so(join) and not _is_flesh(join.want)]
+    told = [join for join in joins if _is_listed_so(join) and not is_raw_flesh(join.want.facts)]
     flesh = _flesh(joins)
     meets = _heat_of(flesh)
     if not told or meets is None or (technique is not None and line_told(_part(), technique.lines)):
@@ -47,13 +47,14 @@ def marinated(line: Line, joins: Sequence[Join], technique: Technique | None) ->
 
 def _heat_of(flesh: Sequence[Join]) -> Stage | None:
     """Return the one stage at which flesh comes to a heat; ``None`` where there are several, or it is mixed before."""
-    stages = {id(join.spot.stage): join.spot.stage for join in flesh}
-    return next((stage for stage in stages.values() if len(stages) == 1 and stage.heats), None)
+    stages = [join.spot.stage for join in flesh]
+    one = bool(stages) and stages[0].heats and all(stage is stages[0] for stage in stages)
+    return stages[0] if one else None
 
 
 def _flesh(joins: Sequence[Join]) -> list[Join]:
     """Return the raw flesh that is listed with its marinade, or else all that there is."""
-    raw = [join for join in joins if _is_flesh(join.want) and not join.want.cooked]
+    raw = [join for join in joins if is_raw_flesh(join.want.facts) and not join.want.cooked]
     listed = list(filter(_is_listed_so, raw))
     return listed or raw
 
@@ -65,10 +66,6 @@ def _part() -> str:
 
 def _is_listed_so(join: Join) -> bool:
     return join.want.part == _part()
-
-
-def _is_flesh(want: Want) -> bool:
-    return want.facts.is_any(word_list("is flesh")) and "ready" not in want.facts.traits
 
 
 def _stages() -> tuple[Stage, Stage, Stage]:

@@ -307,8 +307,12 @@ def is_dry_binder(joins: Sequence[Join]) -> bool:
 
 def needs_pan(facts: Food) -> bool:
     """Return whether a food of these ``facts`` is not done when eggs set around it."""
-    raw = facts.is_any(word_list("is flesh")) and not facts.is_a("ready")
-    return raw or phase_of(facts) == FRIED or facts.is_any(word_list("takes long in the pan"))
+    return is_raw_flesh(facts) or phase_of(facts) == FRIED or facts.is_any(word_list("takes long in the pan"))
+
+
+def is_raw_flesh(facts: Food) -> bool:
+    """Return whether a food of these ``facts`` is meat or fish, and not sold ready to be eaten."""
+    return facts.is_any(word_list("is flesh")) and not facts.is_a("ready")
 
 
 def makes_a_sauce(joins: Sequence[Join]) -> bool:
