@@ -128,9 +128,9 @@ class Course:
 
         return before(self.line)
 
-    def joins_of(self, line: Line) -> list[Join]:
-        """Return the foods that join the stages of ``line``, those of the lines that join it left out."""
-        return [join for stage in line.stages for join in self.ordered(stage)]
+    def joins_of(self, stages: Sequence[Stage]) -> list[Join]:
+        """Return the foods that join ``stages``, those of the lines that join these left out."""
+        return [join for stage in stages for join in self.ordered(stage)]
 
     def follows_heat(self, stage: Stage) -> bool:
         """Return whether something is heated before foods join ``stage``: on its line, or one that has joined that."""

@@ -7,7 +7,7 @@ lines of the frame are carried out, each heat block uninterrupted; at the end ev
 from __future__ import annotations
 
 import itertools
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables
@@ -124,18 +124,17 @@ class Cooking:
 
         What joins it is made first, but for what is made late.
         """
-        made = self.made
         turns, late = turns_of(line, after, main=main), self.stages.made_late(line)
         for turn in turns:
-            self._run_all((add for add in self._alive(turn.stage) if id(add) not in late), turn, made)
+            self._run_all((add for add in self._alive(turn.stage) if id(add) not in late), turn)
         vessel: Vessel | None = None
         oven = self.placing.oven_of(line)
         for place, turn in enumerate(turns):
             if oven and self.placing.is_lit_first(oven, line.stages[place:]):
                 self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
                 oven = ""
-            self._make_late(turn, vessel, made, late)
-            vessel = self._parted(turn.stage, vessel) or self._stage(turn, vessel, made)
+            self._make_late(turn, vessel, late)
+            vessel = self._parted(turn.stage, vessel) or self._stage(turn, vessel)
         if vessel is not None:
             self.bench.heat_off(vessel)
         return vessel
@@ -152,32 +151,34 @@ class Cooking:
         """Return the lines that join at a stage and that something asked joins."""
         return [line for line in stage.lines if self.course.alive(line)]
 
-    def _run_all(self, lines: Iterable[Line], turn: Turn, made: dict[int, Vessel]) -> None:
-        """Carry out lines that join at a stage; in what each of them is made is noted in ``made``."""
+    def _run_all(self, lines: Iterable[Line], turn: Turn) -> None:
+        """Carry out lines that join at a stage, and note in what each of them is made."""
         for line in lines:
             self._empty_for(line)
             vessel = self._run(line, after=(turn.stage, *turn.later))
             if vessel is not None:
-                made[id(line)] = vessel
+                self.made[id(line)] = vessel
             if self.stages.is_drained(line):
-                self._rinse_what_waits(turn.stage, self.course.joins_of(line))
+                self._rinse_what_waits(turn.stage, self.course.joins_of(line.stages))
 
     def _empty_for(self, line: Line) -> None:
         """Bring what waits in a vessel that a kitchen has once (a blender jar) into a bowl, if ``line`` needs that."""
-        for made, vessel in list(self.made.items()):
+        needed = _vessels_of(line)
+        for vessel in list(self.made.values()):
             row = self.known.utensil(vessel.label)
-            if vessel.contents and row is not None and not row.many and vessel.label in _vessels_of(line):
+            if vessel.contents and row is not None and not row.many and vessel.label in needed:
                 bowl = self.bench.vessel("bowl")
                 self.carry.transfer(vessel, bowl, line.stages[-1])
-                self.made[made] = bowl
+                # a line is made in the vessel of the first one that joined it: both are in the bowl now
+                self.made = {made: bowl if one is vessel else one for made, one in self.made.items()}
 
-    def _make_late(self, turn: Turn, vessel: Vessel | None, made: dict[int, Vessel], late: Collection[int]) -> None:
+    def _make_late(self, turn: Turn, vessel: Vessel | None, late: Collection[int]) -> None:
         """Make what waited until now, and boil what waited for its sauce; meanwhile that is off the heat."""
-        lines = [line for line in self._alive(turn.stage) if id(line) in late and id(line) not in made]
+        lines = [line for line in self._alive(turn.stage) if id(line) in late and id(line) not in self.made]
         joins = [join for join in self._joins_until_heat(turn) if join.want.number in self.boiled_late]
         if vessel is not None and (lines or joins):
             self.bench.heat_off(vessel)
-        self._run_all(lines, turn, made)
+        self._run_all(lines, turn)
         for join in joins:
             self.alone.cook_first(join, self.boiled_late.pop(join.want.number))
 
@@ -199,18 +200,18 @@ class Cooking:
 
     # --- stages ---
 
-    def _stage(self, turn: Turn, vessel: Vessel | None, made: dict[int, Vessel]) -> Vessel | None:
+    def _stage(self, turn: Turn, vessel: Vessel | None) -> Vessel | None:
         """Carry out a stage with what is in ``vessel``, and return in what it is then."""
         stage = turn.stage
         joins = self.serving.in_layers(self.course.ordered(stage))
-        beside = _made_for(stage, made)
+        beside = self._made_for(stage)
         incoming = Incoming(joins, [*(one for _, one in beside), *self.lifting.returned(stage)])
         if vessel is None and not incoming:
             return None
         # a dish on bread is put together at once, whatever its video laid on later
         stacked = turn.main and self.plan.stacked and self.stacking.is_put_together(stage, joins, turn.later)
         if stacked:
-            self._take_all(turn.later, incoming, made)
+            self._take_all(turn.later, incoming)
         self._cook_base_now(incoming.joins, [*incoming.lines, vessel])
         if stacked:
             return self.stacking.stack(stage, vessel, incoming)
@@ -221,11 +222,15 @@ class Cooking:
             return self.steaming.done(turn, stage, vessel, incoming)
         return self._brought_and_done(turn, vessel, incoming)
 
-    def _take_all(self, later: Sequence[Stage], incoming: Incoming, made: dict[int, Vessel]) -> None:
+    def _made_for(self, stage: Stage) -> list[tuple[Line, Vessel]]:
+        """Return the lines that join at a stage with that in which they were made, of those that were."""
+        return [(line, self.made[id(line)]) for line in stage.lines if id(line) in self.made]
+
+    def _take_all(self, later: Sequence[Stage], incoming: Incoming) -> None:
         """Have all that joins later come now."""
         for one in later:
             incoming.joins += self.course.taken(one)
-            incoming.lines += [made.pop(id(add)) for add in one.lines if id(add) in made]
+            incoming.lines += [self.made.pop(id(add)) for add in one.lines if id(add) in self.made]
 
     def _brought_and_done(self, turn: Turn, vessel: Vessel | None, incoming: Incoming) -> Vessel | None:
         """Bring what joins a stage to what is in ``vessel``, do what it does, and return in what that is then."""
@@ -256,8 +261,3 @@ def _vessels_of(line: Line) -> set[str]:
     """Return what the vessels of a line are called, and those of the lines that join it."""
     own = {stage.vessel for stage in line.stages}
     return own.union(*(_vessels_of(add) for stage in line.stages for add in stage.lines))
-
-
-def _made_for(stage: Stage, made: Mapping[int, Vessel]) -> list[tuple[Line, Vessel]]:
-    """Return the lines that join at a stage with that in which they were made, of those that were."""
-    return [(line, made[id(line)]) for line in stage.lines if id(line) in made]

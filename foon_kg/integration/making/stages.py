@@ -58,8 +58,7 @@ class Stages:
         if self.plan.stacked or not _is_dry_phase(stage) or self._is_asked(*word_list("is rinsed before it is fried")):
             return False
         pan = self.course.heated_before(stage)
-        before = self.course.joins_of(Line(tuple(pan)))
-        quick = any_is(before, *word_list("is done in a moment"))
+        quick = any_is(self.course.joins_of(pan), *word_list("is done in a moment"))
         return len(pan) >= _LONG and not quick and are_only_boiled(joins)
 
     def is_served_beside(self, stage: Stage) -> bool:
@@ -78,12 +77,12 @@ class Stages:
         return frozenset(map(id, [*late, *_out_of_hot_pans(line.stages)]))
 
     def _waits(self, stage: Stage, line: Line) -> bool:
-        waits = self.waits_for_sauce(stage) or self._waits_for_pan(stage, self.course.joins_of(line))
+        waits = self.waits_for_sauce(stage) or self._waits_for_pan(stage, self.course.joins_of(line.stages))
         return (waits and self.is_drained(line)) or self._makes_foam(line)
 
     def _makes_foam(self, line: Line) -> bool:
         """Whether a line beats egg whites or cream to a foam, which falls if it is made too early."""
-        joins = self.course.joins_of(line)
+        joins = self.course.joins_of(line.stages)
         foams = any(join.want.part == PART or join.want.foamed for join in joins)
         return foams and any("whip" in stage.does for stage in line.stages)
 
