@@ -104,18 +104,25 @@ def _for_its_lines(foods: Sequence[Want], technique: Technique | None, title_wor
     """Return the foods of which a recipe says that they are for a line of a technique; of a whole one, its foam."""
     if technique is None:
         return ()
-    side = _headed_in_a_line(technique, foods, Around([want.facts for want in foods], title_words))
+    side = _headed_in_a_line(technique, foods, title_words)
     if WHOLE in technique.plan:
         return (*_foam(foods, technique), *side)
     lines = sorted(technique.lines.keys() - {MAIN})
     return tuple(want for want in foods if want in side or (want.part and line_told(want.part, lines)))
 
 
-def _headed_in_a_line(technique: Technique, foods: Sequence[Want], around: Around) -> Sequence[Want]:
+def _headed_in_a_line(technique: Technique, foods: Sequence[Want], title_words: Sequence[str]) -> Sequence[Want]:
     """Return what a heading says is made beside a dish, if its technique has a line of its own for the first of it."""
     side = [want for want in foods if want.part == SIDE]
+    if not side or not _has_a_line(technique, side[0], Around([want.facts for want in foods], title_words)):
+        return ()
+    return side
+
+
+def _has_a_line(technique: Technique, want: Want, around: Around) -> bool:
+    """Whether another line of a technique than that of the dish is for a food like ``want``."""
     parts = (part for line, some in technique.lines.items() if line != MAIN for part in some)
-    return side if any(means(some, want, around) for part in parts for some in part.foods for want in side[:1]) else ()
+    return any(means(foods, want, around) for part in parts for foods in part.foods)
 
 
 def _with_what_is_served(

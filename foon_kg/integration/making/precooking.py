@@ -160,12 +160,10 @@ class Precooking:
     def _browned(self, join: Join) -> tuple[str, ...]:
         """Return how a food is cooked before that is asked fried, roasted or toasted, if the dish would not do that."""
         want, stage = join.want, join.spot.stage
-        if not self._is_asked_of_dry_heat(want):
+        dry = stage.heats and "liquid" not in stage.does and not self.course.has_liquid([stage])
+        if not self._is_asked_of_dry_heat(want) or (dry and not want.then):
             return ()
-        wet = "liquid" in stage.does or self.course.has_liquid([stage])
-        if self.is_toasted_in_a_pan(want):
-            return _IN_A_PAN if wet or want.then or not stage.heats else ()
-        return self._by_fat_or_oven(join) if want.then or wet or not stage.heats else ()
+        return _IN_A_PAN if self.is_toasted_in_a_pan(want) else self._by_fat_or_oven(join)
 
     def _is_asked_of_dry_heat(self, want: Want) -> bool:
         """Whether a food is asked as something hot makes it alone: not what is boiled, nor runs out of its shell."""

@@ -68,7 +68,7 @@ def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Ope
 
 
 def _divided_then(want: Want, first: Want, last: str, known: Tables) -> str:
-    """Return how a food is divided at ``last``, which ``first`` was something else; ``""`` where it is not.
+    """Return how the food ``want`` is divided at ``last``, once it is as ``first`` has it; ``""`` where it is not.
 
     What is sold ground is bought whole where it is to be toasted before. ``known`` are the tables.
     """
