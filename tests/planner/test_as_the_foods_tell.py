@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from planner.told_steps import first, inside, motions
+from planner.told_steps import first, inside, motions, taking
 
 from foon_kg.food import tables
 
 pytestmark = pytest.mark.shared_data
-
-
-def of(told, motion):
-    """Return the foods that go into a step of such a motion."""
-    return {food for inputs, one, _ in told if one == motion for food in inputs}
 
 
 @pytest.mark.parametrize(
@@ -55,7 +50,7 @@ def test_a_soup_of_which_no_liquid_is_listed_boils_in_water(steps):
 def test_raw_flesh_and_rice_come_into_one_pot(steps):
     told = steps("rice", "Galinhada", "chicken pieces:raw", "oil:liquid", "onion:chopped", "tomatoes:chopped",
                  "long-grain rice:uncooked", "water:hot")  # fmt: skip
-    assert {"chicken pieces", "long-grain rice"} <= of(told, "simmer")
+    assert {"chicken pieces", "long-grain rice"} <= taking(told, "simmer")
     assert "drain" not in motions(told)
 
 
@@ -63,7 +58,7 @@ def test_flour_and_water_become_noodles(steps):
     told = steps("stir-fry", "Tsuivan (fried noodles with mutton)", "flour:powder", "water:liquid", "mutton:cut",
                  "oil:liquid", "onion:sliced", "cabbage:shredded")  # fmt: skip
     assert {"knead", "roll", "boil"} <= set(motions(told))
-    assert "flour" not in of(told, "cook and stir")
+    assert "flour" not in taking(told, "cook and stir")
 
 
 def test_noodles_with_granules_for_a_broth_get_the_water(steps):
@@ -106,7 +101,7 @@ def test_there_is_a_tree_though_a_name_says_little(steps, dish_type, title, food
 def test_a_soup_with_a_tin_of_thick_milk_boils_in_water(steps):
     told = steps("soup", "Chupe", "prawns:peeled", "oil:liquid", "onion:chopped", "rice:uncooked", "potatoes:cubed",
                  "evaporated milk:liquid", "salt:granulated")  # fmt: skip
-    assert "water" in of(told, "simmer") | inside(told, "simmer")
+    assert "water" in taking(told, "simmer") | inside(told, "simmer")
 
 
 def test_potatoes_in_quarters_are_mashed_before_they_are_shaped(steps):
@@ -118,21 +113,21 @@ def test_potatoes_in_quarters_are_mashed_before_they_are_shaped(steps):
 def test_wine_in_a_roll_is_cooked_with_the_steak(steps):
     told = steps("sandwich", "Prego no pao", "beef steaks:uncooked", "garlic:sliced", "white wine:liquid",
                  "lard:creamy", "papo-secos rolls:whole", "yellow mustard:creamy")  # fmt: skip
-    assert "white wine" in of(told, "cook and stir")
-    assert "yellow mustard" not in of(told, "cook and stir")
+    assert "white wine" in taking(told, "cook and stir")
+    assert "yellow mustard" not in taking(told, "cook and stir")
 
 
 def test_a_filling_is_fried_and_closed_in_dough_that_rose(steps):
     told = steps("pizza", "Pizza di scarola (escarole pie)", "flour:plain", "yeast:powder", "water:liquid",
                  "salt:granulated", "escarole:trimmed", "olive oil:liquid", "raisins:whole")  # fmt: skip
     made = motions(told)
-    assert {"escarole", "raisins"} <= of(told, "cook and stir")
+    assert {"escarole", "raisins"} <= taking(told, "cook and stir")
     assert made.index("ferment") < made.index("fold and pinch") < made.index("bake")
 
 
 def test_porridge_is_folded_into_thin_dough(steps):
     told = steps("pie", "Karjalanpiirakat (Karelian rice pasties)", "short-grain rice:uncooked", "milk:liquid",
                  "rye flour:powder", "water:cold", "salt:granulated", "butter:melted")  # fmt: skip
-    assert {"short-grain rice", "milk"} <= of(told, "simmer") | inside(told, "simmer")
-    assert "short-grain rice" not in of(told, "knead")
+    assert {"short-grain rice", "milk"} <= taking(told, "simmer") | inside(told, "simmer")
+    assert "short-grain rice" not in taking(told, "knead")
     assert motions(told).index("fold and pinch") < motions(told).index("bake")

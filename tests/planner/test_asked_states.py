@@ -5,17 +5,12 @@ from __future__ import annotations
 import pytest
 from planner.judged import fatal
 from planner.public_foon import public_snapshot
-from planner.told_steps import first
+from planner.told_steps import first, states_of
 
 from foon_kg.food import tables
 from foon_kg.food.workings import working
 
 pytestmark = pytest.mark.shared_data
-
-
-def states_of(told, food):
-    """Return all states in which a food is seen."""
-    return {state for _, _, outputs in told for node in outputs if node.label == food for state in node.states}
 
 
 @pytest.mark.parametrize(

@@ -3,14 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from planner.told_steps import first, inside, motions
+from planner.told_steps import first, inside, motions, taking
 
 pytestmark = pytest.mark.shared_data
-
-
-def of(told, motion):
-    """Return the foods that go into a step of such a motion."""
-    return {food for inputs, one, _ in told if one == motion for food in inputs}
 
 
 def test_rice_with_yolks_is_baked_and_turned_out(steps):
@@ -39,7 +34,7 @@ def test_a_bird_is_simmered_in_one_piece_with_its_rice(steps):
     told = steps("soup", "Samgyetang", "whole chicken:whole", "glutinous rice:soaked", "garlic:peeled", "jujubes:dried",
                  "water:liquid", "scallions:chopped")  # fmt: skip
     assert {"pull apart", "drain"}.isdisjoint(motions(told))
-    assert {"whole chicken", "glutinous rice"} <= of(told, "simmer")
+    assert {"whole chicken", "glutinous rice"} <= taking(told, "simmer")
 
 
 def test_plantains_are_fried_before_they_come_to_a_stew(steps):
@@ -53,7 +48,7 @@ def test_spices_are_fried_before_the_potatoes_are_turned_in_them(steps):
     told = steps("potatoes", "Aloo posto", "potatoes:cubed", "poppy seeds:ground", "nigella seeds:whole",
                  "green chillies:slit", "mustard oil:liquid", "turmeric:ground")  # fmt: skip
     assert first(told, "nigella seeds", "cook and stir") < first(told, "potatoes", "simmer")
-    assert "poppy seeds" in of(told, "simmer")
+    assert "poppy seeds" in taking(told, "simmer")
 
 
 def test_a_ground_paste_of_coconut_is_cooked_with_its_vegetables(steps):
@@ -68,7 +63,7 @@ def test_fine_noodles_are_fried_dry_and_boiled_in_milk(steps):
     told = steps("pudding", "Semiya payasam", "vermicelli:broken", "ghee:creamy", "cashews:halved", "milk:liquid",
                  "sugar:granulated", "cardamom:ground")  # fmt: skip
     assert first(told, "vermicelli", "cook and stir") < first(told, "vermicelli", "simmer")
-    assert "cashews" in of(told, "cook and stir")
+    assert "cashews" in taking(told, "cook and stir")
 
 
 def test_bread_is_fried_before_milk_comes_over_it(steps):
@@ -104,7 +99,7 @@ def test_dough_is_fried_as_rolls_and_filled(steps):
     told = steps("sandwich", "Fricassé tunisien", "flour:powder", "yeast:dried", "egg:uncooked", "oil:liquid",
                  "potatoes:boiled:filling", "tuna:drained:filling", "harissa:paste:filling")  # fmt: skip
     assert motions(told).index("ferment") < motions(told).index("flip")
-    assert {"tuna", "harissa"}.isdisjoint(of(told, "cook") | of(told, "cook and stir") | inside(told, "knead"))
+    assert {"tuna", "harissa"}.isdisjoint(taking(told, "cook") | taking(told, "cook and stir") | inside(told, "knead"))
 
 
 def test_spices_of_a_topping_are_not_kneaded_into_the_dough(steps):
@@ -151,7 +146,7 @@ def test_what_was_dried_of_the_sea_lies_in_water_first(steps):
 def test_ground_melon_seeds_are_cooked_in_their_soup(steps):
     told = steps("soup", "Egusi soup", "egusi:ground", "beef:cut", "palm oil:liquid", "onion:chopped",
                  "stock cubes:granulated", "water:liquid", "ugu:chopped")  # fmt: skip
-    assert "egusi" in of(told, "simmer")
+    assert "egusi" in taking(told, "simmer")
 
 
 def test_what_is_cut_when_it_is_baked_is_not_chopped_before(steps):
@@ -210,7 +205,7 @@ def test_balls_of_cheese_are_fried_and_lie_in_a_smooth_gravy(steps):
 def test_a_stew_is_made_before_it_comes_into_a_loaf(steps):
     told = steps("sandwich", "Bunny chow", "white bread loaf:whole", "lamb:cubed", "onion:chopped", "tomatoes:chopped",
                  "curry powder:powder", "oil:liquid", "water:liquid")  # fmt: skip
-    assert {"lamb", "tomatoes", "curry powder"} <= of(told, "simmer")
+    assert {"lamb", "tomatoes", "curry powder"} <= taking(told, "simmer")
 
 
 def test_a_casserole_that_is_called_after_a_stew_is_baked(steps):
@@ -229,21 +224,21 @@ def test_greens_are_blanched_and_dressed(steps):
     told = steps("vegetables", "Horenso goma-ae", "spinach:leaves", "sesame seeds:toasted", "soy sauce:liquid",
                  "sugar:granulated")  # fmt: skip
     assert motions(told).index("boil") < first(told, "spinach", "mix")
-    assert "soy sauce" not in of(told, "cook and stir")
+    assert "soy sauce" not in taking(told, "cook and stir")
 
 
 def test_a_joint_is_lifted_out_of_what_it_was_simmered_in(steps):
     told = steps("pork", "Bo ssam", "pork belly:raw", "doenjang:paste", "onion:whole", "garlic:clove", "water:liquid",
                  "napa cabbage:whole", "ssamjang:paste")  # fmt: skip
-    assert "ssamjang" not in of(told, "simmer")
+    assert "ssamjang" not in taking(told, "simmer")
     assert motions(told).index("simmer") < motions(told).index("slice")
 
 
 def test_rice_cakes_swell_in_their_sauce_and_boiled_eggs_lie_on_it(steps):
     told = steps("stir-fry", "Tteokbokki", "tteok:whole", "gochujang:paste", "sugar:granulated", "anchovy stock:liquid",
                  "boiled eggs:halved", "scallions:cut")  # fmt: skip
-    assert {"tteok", "gochujang"} <= of(told, "simmer")
-    assert "boiled eggs" not in of(told, "whisk")
+    assert {"tteok", "gochujang"} <= taking(told, "simmer")
+    assert "boiled eggs" not in taking(told, "whisk")
 
 
 def test_sour_fruit_of_a_chutney_is_simmered_and_blended(steps):
@@ -268,5 +263,5 @@ def test_noodles_that_become_a_dish_of_noodles_are_the_boiled_ones(steps, title)
 def test_egg_is_stirred_last_into_the_sauce_of_crabs(steps):
     told = steps("seafood", "Singapore chilli crab", "mud crabs:cut", "oil:liquid", "garlic:chopped", "ketchup:sauce",
                  "chicken stock:liquid", "cornflour:powder", "egg:beaten")  # fmt: skip
-    assert "mud crabs" in of(told, "simmer")
+    assert "mud crabs" in taking(told, "simmer")
     assert first(told, "egg", "cook and stir") > motions(told).index("simmer")

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import pytest
+from planner.told_steps import states_of
 
 pytestmark = pytest.mark.shared_data
 
 
 def motions_of(told, food):
     return [motion for inputs, motion, _ in told if food in inputs]
-
-
-def states_of(told, food):
-    return {state for _, _, outputs in told for node in outputs if node.label == food for state in node.states}
 
 
 def test_strawberries_are_hulled_unless_they_are_frozen(steps):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from planner.told_steps import first, motions
+from planner.told_steps import first, motions, states_of
 
 pytestmark = pytest.mark.shared_data
 
@@ -25,7 +25,7 @@ def test_what_cooking_leaves_is_neither_peeled_nor_cut(steps, left, state):
     told = steps(
         "salad", "Potato salad", "potato:boiled", "onion:chopped", "vinegar:liquid", "salt:granulated", f"{left}:"
     )
-    states = {one for _, _, outputs in told for node in outputs if node.label == left for one in node.states}
+    states = states_of(told, left)
     assert state in states
     assert states.isdisjoint({"chopped", "peeled", "whole"})
 
@@ -71,10 +71,6 @@ def test_seeds_are_ground_by_a_step_though_nobody_ground_such_seeds(steps):
     assert "grind" in ground
 
 
-def states_in(told, food):
-    return {one for _, _, outputs in told for node in outputs if node.label == food for one in node.states}
-
-
 def test_nobody_stirs_a_joint_in_one_piece(steps):
     told = steps("beef", "Rawon", "beef brisket:whole", "oil:liquid", "onion:chopped", "garlic:minced", "water:liquid")
     stirring = [inputs for inputs, motion, _ in told if "stir" in motion.split()]
@@ -85,8 +81,8 @@ def test_nobody_stirs_a_joint_in_one_piece(steps):
 
 def test_what_is_strewn_on_a_steak_is_not_flipped(steps):
     told = steps("steak", "Steak", "sirloin steak:raw", "butter:melted", "salt:granulated", "black pepper:ground")
-    assert "flipped" in states_in(told, "sirloin steak")
-    assert not {"flipped"} & (states_in(told, "salt") | states_in(told, "black pepper"))
+    assert "flipped" in states_of(told, "sirloin steak")
+    assert not {"flipped"} & (states_of(told, "salt") | states_of(told, "black pepper"))
 
 
 @pytest.mark.parametrize("food", ["clams:chopped", "coconut:chopped", "coconut:"])

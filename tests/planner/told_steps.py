@@ -51,6 +51,16 @@ def inside(told: Told, motion: str) -> set[str]:
     return {food for node in outputs for food in node.ingredients}
 
 
+def taking(told: Told, motion: str) -> set[str]:
+    """Return what goes into any step of such a motion."""
+    return {one for inputs, done, _ in told if done == motion for one in inputs}
+
+
+def states_of(told: Told, food: str) -> set[str]:
+    """Return all states in which a food is seen."""
+    return {state for _, _, outputs in told for node in outputs if node.label == food for state in node.states}
+
+
 def first(told: Told, food: str, motion: str) -> int:
     """Return at which step such a motion is first done to a food."""
     return next(place for place, (inputs, one, _) in enumerate(told) if food in inputs and one == motion)
