@@ -189,8 +189,8 @@ class Preparer(Treater):
     def cut_now(self, ready: Ready) -> None:
         """Cut or mash what is ``ready`` and had to be cooked before."""
         state, ready.cut_later = ready.cut_later, ""
-        if state and not self.bring_about(ready, state, done=True):
-            self._cut(ready, state)
+        if state:
+            self._cut(ready, state, done=True)
 
     def shelled(self, ready: Ready, form: Sequence[str] = ()) -> None:
         """Take the shell off a food that is ``ready`` and was cooked in it.
@@ -269,10 +269,13 @@ class Preparer(Treater):
             ready.read_as = powder
         return finer
 
-    def _cut(self, ready: Ready, state: str) -> None:
-        """Bring a food into pieces of that state, unless it is a powder; where nobody does so, assume it."""
+    def _cut(self, ready: Ready, state: str, *, done: bool = False) -> None:
+        """Bring a food into pieces of that state, unless it is a powder; where nobody does so, assume it.
+
+        ``done``: it was cooked before.
+        """
         want = ready.want
-        if self._is_finer(ready, state) or self.bring_about(ready, state):
+        if self._is_finer(ready, state) or self.bring_about(ready, state, done=done):
             return
         attested = self.way_to_cut(want, state)
         if attested is None:
