@@ -42,7 +42,8 @@ _MOST_TELLING = (LAST, SOON, BINDS, FRIED, WET)
 class Addition:
     """What joins a vessel over the heat: an asked food, a line, or water that nobody asked for.
 
-    ``facts`` are those of the food (``None`` for a line and for water), ``phase`` is one of :data:`ORDER`.
+    ``facts`` are those of the food (``None`` for a line and for water), ``phase`` is one of :data:`ORDER`, or of
+    :data:`DRY_ORDER` in a pan.
     """
 
     what: Join | Line | Slot
@@ -58,7 +59,7 @@ class Addition:
         facts = self.facts
         if facts is None:
             return (True, True, False, False)
-        first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"), *word_list("boils away"))
+        first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"), *word_list(REDUCED))
         return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts), facts.is_any(_CURDLES))
 
     @property

@@ -1,6 +1,6 @@
 """How long foods take in a liquid that simmers: what takes hours comes first, and what is soft in minutes late.
 
-A vessel that holds nothing that takes hours is simmered as its phases are; what else there is of these is in
+Here a food is put into another phase than it has by what it is; that is in
 :mod:`~foon_kg.integration.joining.additions`.
 """
 
