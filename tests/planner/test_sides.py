@@ -387,3 +387,10 @@ def test_raw_cucumber_with_bread_and_vinegar_is_blended_and_chilled(steps):
     told = steps("soup", "", "tomato:whole veg", "cucumber:peeled", "pepper:seeded", "garlic:crushed", "bread:crumbs",
                  "oil:juice", "vinegar:juice", "water:juice")  # fmt: skip
     assert [motion for motion in motions(told) if motion in {"blend", "chill", "simmer", "boil"}] == ["blend", "chill"]
+
+
+def test_what_lies_beside_a_stew_is_eaten_from_a_plate_with_it(steps):
+    told = steps("pork", "Pork stew", "pork shoulder:cubed", "onion:chopped", "red wine:liquid", "water:liquid",
+                 "white rice:cooked:serving")  # fmt: skip
+    (place,) = {node.container for node in told[-1][2] if node.label != "plate" and node.container}
+    assert place == "plate"

@@ -82,6 +82,8 @@ class Placing(Hands):
             label = self.bakeware.deep_for(label, [join.want for join in incoming.joins])
         elif label != comes.label:
             label = self.bakeware.tin_for(label, comes, in_oven=relation == "in")
+        if label == "bowl" and not stage.does and self.stages.has_a_side:
+            return "plate"
         if not is_flat(label) or self.stages.lies_baked(vessel):
             return label
         return "bowl" if dressed or self._runs_off(vessel) else label
@@ -90,7 +92,7 @@ class Placing(Hands):
         """Whether what is in a vessel would run off a plate: it is hot, and was in no tray."""
         if vessel is None or not vessel.hot or is_flat(vessel.label) or self.stages.on_plate:
             return False
-        return self._is_wet(vessel)
+        return self._is_wet(vessel) and not self.stages.has_a_side
 
     def _vessel_for(self, stage: Stage, label: str, vessel: Vessel | None, incoming: Incoming) -> Vessel:
         """Return the vessel of a stage, called ``label``, with what was in ``vessel``.
