@@ -125,8 +125,11 @@ class Cutter:
     def _ways_to_grate(self, ways: Sequence[Way], want: Want, state: str) -> list[Way]:
         """Return those of some ways that have a grater, where a food is brought into such a state by that alone."""
         hard = state in word_list("grates what is hard") and want.facts.is_any(word_list("is hard to shred"))
-        grated = hard or state in word_list("only grates") | word_list("is so by a grater")
-        return [way for way in ways if grated and self.has_tool_to(_GRATE, way)]
+        if not hard and state not in word_list("only grates") | word_list("is so by a grater"):
+            return []
+        graters = [way for way in ways if self.has_tool_to(_GRATE, way)]
+        like = [way for way in self.operators.ways_of(_GRATE) if self.has_tool_to(_GRATE, way)] if graters else []
+        return [way for way in (*graters, *like) if not says(way[1], "slices and grates little")] or graters
 
     def with_a_knife(self, ways: list[Way], want: Want, state: str = "") -> list[Way]:
         """Return those of ``ways`` that divide ``want`` to ``state``.
@@ -134,7 +137,8 @@ class Cutter:
         A firm food is not divided by bare hands, nor with what is no knife.
         """
         if not _wants_a_knife(want):
-            return ways if state in word_list("is so by bare hands") else _with_tools(ways) or ways
+            sharp = [way for way in ways if not says(way[1], "only scrapes")] or ways
+            return sharp if state in word_list("is so by bare hands") else _with_tools(sharp) or sharp
         bare, unfit = word_list("is done by bare hands"), word_list("is no knife")
         return [way for way in ways if (way[1] or way[0] not in bare) and unfit.isdisjoint(way[1])] or ways
 
