@@ -18,6 +18,8 @@ pytestmark = pytest.mark.shared_data
     [
         ("rice", "basmati rice:soaked", "soak", ("chicken:cubed", "onion:sliced", "chicken stock:liquid")),
         ("noodle", "rice vermicelli:soaked", "soak", ("shrimp:raw", "carrot:julienned", "oil:liquid")),
+        ("pudding", "wheat:soaked", "soak", ("milk:liquid", "sugar:granulated")),
+        ("pudding", "cashew:soaked", "soak", ("milk:liquid", "sugar:granulated")),
         ("seafood", "shrimp:deveined", "devein", ("garlic:minced", "butter:unmelted")),
         ("chicken", "chicken leg:skinned", "skin", ("onion:chopped", "oil:liquid", "water:liquid")),
         ("soup", "lemongrass:bruised", "bruise", ("coconut milk:liquid", "chicken:sliced", "salt:granulated")),
@@ -151,3 +153,14 @@ def test_nuts_are_slivered_with_a_knife(steps):
         inputs for inputs, motion, _ in told if "pistachio" in inputs and "cutting board" in inputs and motion != "pour"
     ]
     assert "knife" in tools
+
+
+@pytest.mark.parametrize(
+    ("food", "tool"),
+    [("tomato:coarsely grated", "grater"), ("vanilla pod:split", "knife"), ("potato:boiled, riced", "masher")],
+)
+def test_a_tool_that_no_more_than_one_video_takes_is_left_for_the_usual_one(steps, food, tool):
+    label = food.partition(":")[0]
+    told = steps("pudding", "", food, "double cream:creamy", "sugar:granulated", "milk:liquid")
+    assert any({label, tool} <= inputs for inputs, _, _ in told)
+    assert not any({label, other} <= inputs for inputs, _, _ in told for other in ("mandoline", "scraper"))

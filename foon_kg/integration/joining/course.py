@@ -53,6 +53,13 @@ class Plan:
     closed_by: str = ""
     by_table: bool = False
 
+    @property
+    def has_a_side(self) -> bool:
+        """Whether something is asked for serving that lies beside the dish: rice, bread, a stiff porridge."""
+        said, sides = word_list("is for what is done"), word_list("lies beside a dish")
+        beside = (join.want for join in self.joins if join.want.part in said)
+        return not self.spooned and any(want.facts.is_any(sides) for want in beside)
+
 
 class Course:
     """The stages of a frame with the foods that join at each (``at``, by the stage's identity)."""

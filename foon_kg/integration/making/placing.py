@@ -82,7 +82,11 @@ class Placing(Hands):
             label = self.bakeware.deep_for(label, [join.want for join in incoming.joins])
         elif label != comes.label:
             label = self.bakeware.tin_for(label, comes, in_oven=relation == "in")
-        if label == "bowl" and not stage.does and self.stages.has_a_side:
+        return self._dish_label(label, stage, vessel, dressed=dressed)
+
+    def _dish_label(self, label: str, stage: Stage, vessel: Vessel | None, *, dressed: bool) -> str:
+        """Return what a dish is served in that would be in ``label``: a plate with a side, a bowl what runs."""
+        if label == "bowl" and not stage.does and self.plan.has_a_side:
             return "plate"
         if not is_flat(label) or self.stages.lies_baked(vessel):
             return label
@@ -92,7 +96,7 @@ class Placing(Hands):
         """Whether what is in a vessel would run off a plate: it is hot, and was in no tray."""
         if vessel is None or not vessel.hot or is_flat(vessel.label) or self.stages.on_plate:
             return False
-        return self._is_wet(vessel) and not self.stages.has_a_side
+        return self._is_wet(vessel) and not self.plan.has_a_side
 
     def _vessel_for(self, stage: Stage, label: str, vessel: Vessel | None, incoming: Incoming) -> Vessel:
         """Return the vessel of a stage, called ``label``, with what was in ``vessel``.

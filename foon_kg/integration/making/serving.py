@@ -101,7 +101,7 @@ class Serving(Hands):
 
     def _dish_for(self, vessel: Vessel, stages: Stages) -> str:
         """Return what suits what is in a vessel: a bowl what runs, unless it is carved or has a side."""
-        on_plate = stages.on_plate or stages.has_a_side
+        on_plate = stages.on_plate or self.plan.has_a_side
         return "bowl" if is_wet(vessel.contents[0], self.known) and not on_plate else "plate"
 
     def _brought(self, vessel: Vessel, label: str, stage: Stage) -> Vessel:

@@ -100,14 +100,6 @@ class Stages:
         in_one = any(is_portion(want, self.known) or want.asked == "whole" for want in flesh)
         return in_one and not (self.plan.one_pot or self.plan.spooned)
 
-    @cached_property
-    def has_a_side(self) -> bool:
-        """Whether something is asked for serving that lies beside the dish: rice, bread, a stiff porridge."""
-        said, sides = word_list("is for what is done"), word_list("lies beside a dish")
-        return not self.plan.spooned and any(
-            join.want.part in said and join.want.facts.is_any(sides) for join in self.plan.joins
-        )
-
     def lies_baked(self, vessel: Vessel | None) -> bool:
         """Return whether the dish in ``vessel`` comes out of the oven in one piece, however wet what lies on it is."""
         whole = self.plan.laid or self.on_plate

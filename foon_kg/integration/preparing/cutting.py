@@ -54,6 +54,11 @@ def _bare(ways: Iterable[Way]) -> list[Way]:
     return [way for way in ways if not way[1]]
 
 
+def _without_tools(ways: Iterable[Way], which: str) -> list[Way]:
+    """Return the ways that have none of the tools of the list ``which``."""
+    return [way for way in ways if not says(way[1], which)]
+
+
 def _with_tools(ways: Iterable[Way]) -> list[Way]:
     """Return those of some ways that are done with a tool."""
     return [way for way in ways if way[1]]
@@ -123,13 +128,21 @@ class Cutter:
         return [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways
 
     def _ways_to_grate(self, ways: Sequence[Way], want: Want, state: str) -> list[Way]:
-        """Return those of some ways that have a grater, where a food is brought into such a state by that alone."""
+        """Return those of some ways that have a grater, where a food is brought into such a state by that alone.
+
+        Where they have only what slices, the others that grate stand for them.
+        """
         hard = state in word_list("grates what is hard") and want.facts.is_any(word_list("is hard to shred"))
         if not hard and state not in word_list("only grates") | word_list("is so by a grater"):
             return []
-        graters = [way for way in ways if self.has_tool_to(_GRATE, way)]
-        like = [way for way in self.operators.ways_of(_GRATE) if self.has_tool_to(_GRATE, way)] if graters else []
-        return [way for way in (*graters, *like) if not says(way[1], "slices and grates little")] or graters
+        graters = self._with_graters(ways)
+        usual = _without_tools(graters, "slices and grates little")
+        if graters and not usual:
+            usual = _without_tools(self._with_graters(self.operators.ways_of(_GRATE)), "slices and grates little")
+        return usual or graters
+
+    def _with_graters(self, ways: Iterable[Way]) -> list[Way]:
+        return [way for way in ways if self.has_tool_to(_GRATE, way)]
 
     def with_a_knife(self, ways: list[Way], want: Want, state: str = "") -> list[Way]:
         """Return those of ``ways`` that divide ``want`` to ``state``.
@@ -137,10 +150,10 @@ class Cutter:
         A firm food is not divided by bare hands, nor with what is no knife.
         """
         if not _wants_a_knife(want):
-            sharp = [way for way in ways if not says(way[1], "only scrapes")] or ways
+            sharp = _without_tools(ways, "only scrapes") or ways
             return sharp if state in word_list("is so by bare hands") else _with_tools(sharp) or sharp
-        bare, unfit = word_list("is done by bare hands"), word_list("is no knife")
-        return [way for way in ways if (way[1] or way[0] not in bare) and unfit.isdisjoint(way[1])] or ways
+        bare = word_list("is done by bare hands")
+        return [way for way in _without_tools(ways, "is no knife") if way[1] or way[0] not in bare] or ways
 
     def _nearest_cut(self, ways: Sequence[Way], want: Want, state: str) -> Attested | None:
         for some in filter(None, (self._usual_ways(ways, state) or self._fit_ways(ways, want, state), ways)):
