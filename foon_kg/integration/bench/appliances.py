@@ -18,6 +18,9 @@ _PLACES = {"on": ("pick-and-place", "place"), "in": ("put inside", "insert", "pi
 _SWITCHED = 0.9
 """How sure it is that what can be turned on can be turned off, though no video shows it."""
 
+_LIKE = 0.8
+"""How sure it is that a motion stands for one that it is like: what is boiled can be steamed."""
+
 _ATTACHES = ("attach", "insert", "pick-and-place")
 
 
@@ -35,6 +38,11 @@ class Bench(Handwork):
         self.standing: dict[int, Vessel] = {}
         self.placed: list[Vessel] = []
         self.other_motions: dict[tuple[str, str], tuple[str, float]] = {}
+
+    def declare(self, motion: str, attested: Attested, thing: str) -> None:
+        """Declare that ``motion`` is done to ``thing`` where one that it is like is ``attested``."""
+        if attested.way[0] != motion:
+            self.other_motions[thing, motion] = (attested.way[0], _LIKE)
 
     # --- on and off it ---
 

@@ -93,5 +93,5 @@ class Steaming(Hands):
         if not product.label:
             self.steam.each(holder, attested, motion, states)
             return
-        self.steam.told(motion, attested, product.label)
+        self.bench.declare(motion, attested, product.label)
         self.bench.work(holder, attested, product.label, states, motion=motion)

@@ -24,9 +24,6 @@ POT, LID, BASKET, STEAM = "pot", "pot lid", "steamer basket", "steam"
 _LIKE_STEAM = ("boil", "simmer", "cook")
 """What tells that a food is steamed, where no video does that: it is cooked by boiling water as well."""
 
-_SURE = 0.8
-"""How sure it is that what is boiled can be steamed."""
-
 
 class Water:
     """Handles water on a bench."""
@@ -161,15 +158,10 @@ class Steam:
         own = self.bench.near_or_far(self.bench.operators.ways_of(motion), foods)
         return own or self.bench.require([(name, ()) for name in _LIKE_STEAM], foods)
 
-    def told(self, motion: str, attested: Attested, food: str) -> None:
-        """Declare that ``food`` is steamed (``motion``) where another motion is ``attested``."""
-        if attested.way[0] != motion:
-            self.bench.other_motions[food, motion] = (attested.way[0], _SURE)
-
     def each(self, holder: Vessel, attested: Attested, motion: str, states: Sequence[str]) -> None:
         """Steam (``motion``), as is ``attested``, all in ``holder``: each stays what it is, in ``states`` then."""
         stuffs = list(holder.contents)
-        self.told(motion, attested, stuffs[0].label)
+        self.bench.declare(motion, attested, stuffs[0].label)
 
         def change() -> None:
             for stuff in stuffs:

@@ -30,9 +30,6 @@ from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.operators import Attested, Way
 from foon_kg.world.treatment import ADVISED
 
-_SURE = 0.8
-"""How sure it is that a motion stands for one that it is like (``workings.toml``)."""
-
 _HALVED = "halved"
 
 _DONE_WITH = {"stone": "core", "peel": "husk"}
@@ -132,8 +129,7 @@ class Treater(Cutter):
         if self._is_poured_to(how, stuff):
             bench.bring([stuff], bench.vessel(how.on), bench.require([("pour", ()), ("scoop", ())], want.names))
         kept = (one for one in stuff.states if how.whole or not self.known.state(one).undivided)
-        if how.motion != attested.way[0]:
-            bench.other_motions[stuff.label, how.motion] = (attested.way[0], _SURE)
+        bench.declare(how.motion, attested, stuff.label)
         act = replace(attested, way=(how.motion, (how.tool,) if how.tool else ()))
         bench.act(stuff, act, tuple(sorted({*kept, state})), how.on)
         ready.read_as = None
