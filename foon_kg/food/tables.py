@@ -188,7 +188,10 @@ class Tables:
             # what stands in brackets explains a name (arepas, corn cakes): it counts only beside one that nobody knows
             shown = _IN_BRACKETS.sub(" ", plain)
             if not self._add_named(found, shown, texts) and shown != plain:
-                self._add_named(found, plain, texts)
+                explained: dict[str, Dish] = {}
+                self._add_named(explained, plain, texts)
+                # it explains by a food that people know: spinach, where the recipe has the leaves of another land
+                found |= {name: dish if _is_made(dish) else replace(dish, needs=()) for name, dish in explained.items()}
         no = frozenset().union(*(dish.is_no for dish in found.values()))
         return tuple(dish for name, dish in found.items() if name not in no)
 
@@ -223,6 +226,11 @@ class Tables:
         """
         last = max((at for at in range(end, len(own)) if own[at] in types and self.dishes[own[at]].is_type), default=-1)
         return last >= end and not says(own[end:last], "names another dish or food")
+
+
+def _is_made(dish: Dish) -> bool:
+    """Whether a name is that of a dish, and not of a food that may be in one."""
+    return dish.is_type or dish.heated is not None or dish.baked or dish.mashed
 
 
 def _is_in_its_number(name: str, text: str) -> bool:

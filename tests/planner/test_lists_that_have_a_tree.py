@@ -75,3 +75,15 @@ def test_bought_sheets_are_not_kneaded_with_the_eggs_of_their_filling(steps):
                  "potatoes:fried", "eggs:uncooked", "olive oil:liquid", "salt:granulated")  # fmt: skip
     assert "knead" not in motions(told)
     assert "eggs" in inside(told, "mix")
+
+
+def test_a_food_that_only_explains_a_title_need_not_be_there(steps):
+    told = steps("vegetables", "Mchicha wa nazi (Tanzanian spinach in coconut)", "amaranth leaves:chopped",
+                 "onion:chopped", "vegetable oil:liquid", "coconut milk:liquid", "salt:granulated")  # fmt: skip
+    assert first(told, "onion", "cook and stir") < first(told, "coconut milk", "pour")
+
+
+def test_a_casserole_may_be_called_a_pie(steps):
+    told = steps("casserole", "Macaroni pie", "macaroni:broken", "eggs:beaten", "evaporated milk:liquid",
+                 "cheddar:grated", "onion:grated", "butter:unmelted", "breadcrumbs:dry")  # fmt: skip
+    assert motions(told).index("mix") < motions(told).index("bake")
