@@ -74,7 +74,7 @@ def broken_raw(case: Case) -> Iterator[Finding]:
         if played_step.step.motion not in word_list("is done by bare hands") or _has_tool(played_step):
             continue
         for node, lump in played_step.outputs.items():
-            if any(map(_wants_a_knife, lump.parts)):
+            if any(_wants_a_knife(part, played_step.number) for part in lump.parts):
                 yield Finding("W4", f"nobody breaks {node.label} by hand", played_step.number, (node,))
 
 
@@ -82,10 +82,10 @@ def _has_tool(played_step: PlayedStep) -> bool:
     return not played_step.does("cut") or any(vessel.row.role == "tool" for vessel in played_step.vessels)
 
 
-def _wants_a_knife(part: Part) -> bool:
-    """Whether a food is firm, and nothing made it soft yet."""
-    raw = part.heated is None and part.food.is_any(word_list("wants a knife"))
-    return raw and not part.food.is_any(word_list("is broken by hand"))
+def _wants_a_knife(part: Part, step: int) -> bool:
+    """Whether a food is firm and nothing ever heats it, and no knife opened it before a ``step``: halves come apart."""
+    firm = part.food.is_any(word_list("wants a knife")) and not part.food.is_any(word_list("is broken by hand"))
+    return firm and part.heated is None and part.done.get("cut", step) >= step
 
 
 def _grated_small(played_step: PlayedStep) -> Iterator[Finding]:

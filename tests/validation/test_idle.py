@@ -227,6 +227,27 @@ def test_w4_bare_hands_break_nothing_firm_and_raw(food, tool, fault):
     assert breaks(step, "by hand") is fault
 
 
+@pytest.mark.parametrize(("boil", "fault"), [("", True), ("before", False)])
+def test_w4_bare_hands_break_what_was_cooked_before(boil, fault):
+    pot = "pot ({potato, water}; on stove)"
+    start = f"""pot (empty) + stove (off) → PUT → pot (empty; on stove) + stove (off; under pot)
+        potato (whole) + water (liquid; in bottle) + pot (empty; on stove) → PUT
+          → potato (whole; in pot) + water (liquid; in pot) + {pot}
+        stove (off; under pot) → TURN ON → stove (on; under pot)"""
+    cooked = f"potato (whole; in pot) + {pot} + stove (on; under pot) → BOIL → potato (boiled; in pot) + {pot}"
+    broken = f"potato (whole; in pot) + {pot} → BREAK APART → potato (pieces; in pot) + {pot}"
+    order = {"": [broken], "before": [cooked, broken]}[boil]
+    assert breaks(lines(start, *order), "by hand") is fault
+
+
+@pytest.mark.parametrize(("opened", "fault"), [(True, False), (False, True)])
+def test_w4_bare_hands_pull_halves_apart_that_a_knife_opened(opened, fault):
+    board = "cutting board ({avocado})"
+    cut = f"avocado (whole) + cutting board (empty) + knife → CUT → avocado (slit; on cutting board) + {board}"
+    pulled = f"avocado (slit; on cutting board) + {board} → PULL APART → avocado (halved; on cutting board) + {board}"
+    assert breaks(lines(cut if opened else "", pulled), "by hand") is fault
+
+
 @pytest.mark.parametrize(("state", "fault"), [("flakes", True), ("powder", True), ("whole", False), ("block", False)])
 def test_w4_no_grater_holds_what_is_small(state, fault):
     step = f"coconut ({state}) + bowl (empty) + grater → GRATE → coconut (grated; in bowl) + bowl ({{coconut}})"
