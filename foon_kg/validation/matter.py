@@ -18,9 +18,10 @@ def matter(case: Case) -> Iterator[Finding]:
     """Yield the findings of W4 in ``case`` about the matter of foods: what is kneaded, strained, grated, laid down."""
     for played_step in case.played_steps:
         for node in played_step.outputs:
-            for reason in _cannot_be(_Matter(node, case), played_step):
+            thing = _Matter(node, case)
+            for reason in _cannot_be(thing, played_step):
                 yield Finding("W4", reason, played_step.number, (node,))
-            if _is_stirred_whole(_Matter(node, case), played_step):
+            if _is_stirred_whole(thing, played_step):
                 yield Finding("W4", f"nobody stirs a whole {node.label}", played_step.number, (node,), minor=True)
 
 
@@ -71,15 +72,19 @@ def _cannot_be(thing: _Matter, played_step: PlayedStep) -> Iterator[str]:
 
 
 def _is_no_dough(thing: _Matter, played_step: PlayedStep) -> bool:
-    """Whether it was kneaded or rolled out raw, and nothing in it makes a dough or paste."""
+    """Whether it was kneaded or rolled out raw, and is wet, and nothing in it makes a dough or paste."""
     worked = played_step.step.motion in word_list("works a dough") and thing.mixed and not thing.heated
-    return worked and not thing.has("can be kneaded")
+    if not worked or not thing.has("makes a dough too wet") or thing.has("can be kneaded"):
+        return False
+    parts = played_step.outputs[thing.node].parts  # a person may forget to name one again
+    return not any(part.food.is_any(word_list("can be kneaded")) for part in parts if part.taken <= played_step.number)
 
 
 def _is_in_a_strainer(thing: _Matter, played_step: PlayedStep) -> bool:
-    """Whether it was poured off into a vessel that lets liquid through."""
+    """Whether it was poured off into a vessel that lets liquid through, and is not pressed through that later."""
     held = thing.place is not None and "strain" in thing.place.can
-    return held and played_step.step.motion in word_list("pours off")
+    poured = held and played_step.step.motion in word_list("pours off")
+    return poured and not _is_pressed_through(thing, played_step)
 
 
 def _runs_through(thing: _Matter) -> bool:
@@ -89,12 +94,25 @@ def _runs_through(thing: _Matter) -> bool:
     return says(thing.node.states, "is a paste") or (thing.heated and thing.has("swells to a porridge"))
 
 
+def _is_pressed_through(thing: _Matter, played_step: PlayedStep) -> bool:
+    """Whether it is worked through the strainer later: the seeds of raspberries stay in there, and the rest runs."""
+    later = thing.case.played_steps[played_step.number + 1 :]
+    through = (one for one in later if one.step.motion in word_list("works through a strainer"))
+    return any(mention.node == thing.node for one in through for mention in one.step.inputs)
+
+
 def _is_on_bare_board(thing: _Matter, played_step: PlayedStep) -> bool:
-    """Whether it is on a board on which nothing else lies that could hold it, as a leaf or a dough does."""
+    """Whether it is on a board on which no other food lies that could hold it, as a leaf or a dough does."""
     if thing.place is None or thing.place.group != "boards" or not played_step.does("move"):
         return False
-    boards = (node for node in played_step.step.outputs if node.node.label == thing.node.container)
-    return all(set(board.node.ingredients) <= set(thing.node.ingredients) for board in boards)
+    return _what_lies_on(thing.node.container, thing.case, played_step) <= {thing.node.label, *thing.node.ingredients}
+
+
+def _what_lies_on(place: str | None, case: Case, played_step: PlayedStep) -> set[str]:
+    """Return the foods that the nodes after a step tell of a ``place``: its own node, and theirs that are there."""
+    nodes = [mention.node for mention in played_step.step.outputs]
+    held = {name for node in nodes if node.label == place for name in node.ingredients}
+    return held | {node.label for node in nodes if node.container == place and case.is_food(node)}
 
 
 def _runs_off(thing: _Matter) -> bool:
@@ -108,7 +126,7 @@ def _unfit_for(thing: _Matter, played_step: PlayedStep) -> Iterator[str]:
     tools = _tools_of(played_step) if played_step.does("cut", "grate") else []
     if not tools:
         return
-    if _is_grated(thing, played_step) and not any("grate" in tool.row.can for tool in tools):
+    if _is_grated(thing, played_step) and not any("grate" in one.row.can for one in played_step.vessels):
         yield f"{thing.node.label} is grated without a grater"
     elif {tool.label for tool in tools} <= word_list("is no knife") and thing.has("no scissors cut"):
         yield f"a {tools[0].label} does not cut {thing.node.label}"

@@ -31,11 +31,20 @@ def worked(foods, motion, state="kneaded, mixed"):
         ({"egg": "cracked", "butter": "melted", "flour": "powder"}, False),
         ({"egg": "cracked", "beef": "minced"}, False),
         ({"egg": "cracked", "peanut butter": "creamy"}, False),
+        ({"butter": "softened", "sugar": "granulated"}, False),
+        ({"condensed milk": "thick", "coconut": "shredded"}, False),
     ],
 )
 @pytest.mark.parametrize("motion", ["KNEAD", "SHAPE"])
 def test_w4_only_what_makes_a_dough_or_paste_is_kneaded_or_shaped(motion, foods, fault):
     assert breaks(worked(foods, motion), "can be kneaded") is fault
+
+
+def test_w4_flesh_is_shaped_though_nobody_names_it_again():
+    named = worked({"beef": "minced", "egg": "cracked"}, "SHAPE", "shaped")
+    left_out = "mixture (shaped; {egg, wine}; in bowl)".join(named.split("mixture (shaped; {beef, egg}; in bowl)"))
+    assert left_out != named
+    assert not breaks(left_out, "can be kneaded")
 
 
 def test_w4_noodles_of_semolina_keep_their_shape_in_a_strainer():
@@ -60,6 +69,14 @@ def test_w4_no_strainer_holds_a_porridge_or_paste(food, state, fault):
     assert breaks(step, "no strainer holds") is fault
 
 
+@pytest.mark.parametrize(("motion", "fault"), [("PRESS", False), ("STRAIN", False), ("PICK-AND-PLACE", True)])
+def test_w4_a_paste_is_poured_into_a_strainer_to_be_pressed_through(motion, fault):
+    paste, held = "raspberry (blended; in strainer)", "strainer ({raspberry})"
+    pour = f"jar ({{raspberry}}) + raspberry (blended; in jar) + strainer (empty) → POUR → {held} + {paste} + jar (empty)"
+    then = f"{held} + {paste} + bowl (empty) → {motion} → raspberry (blended; in bowl) + bowl ({{raspberry}})"
+    assert breaks(lines(pour, then), "no strainer holds") is fault
+
+
 @pytest.mark.parametrize(
     ("foods", "place", "fault"),
     [
@@ -77,6 +94,17 @@ def test_w4_what_runs_is_not_laid_on_a_board(foods, place, fault):
 
 
 @pytest.mark.parametrize(
+    ("beside", "fault"),
+    [("banana leaf (whole; on cutting board)", False), ("knife (on cutting board)", True)],
+)
+def test_w4_what_runs_lies_on_a_leaf_though_no_board_names_that(beside, fault):
+    foods = "coconut milk, egg, fish"
+    step = f"cutting board + {beside} + jug ({{{foods}}}) + filling (mixed; {{{foods}}}; in jug) → POUR → "
+    step += f"cutting board + {beside} + filling (mixed; {{{foods}}}; on cutting board) + jug (empty)"
+    assert breaks(step, "runs off") is fault
+
+
+@pytest.mark.parametrize(
     ("food", "state", "motion", "tool", "told"),
     [
         ("pistachio", "slivered", "CUT", "scissor", "does not cut"),
@@ -85,6 +113,7 @@ def test_w4_what_runs_is_not_laid_on_a_board(foods, place, fault):
         ("chives", "chopped", "CUT", "scissor", ""),
         ("pineapple", "grated", "MINCE", "knife", "without a grater"),
         ("pineapple", "grated", "GRATE", "grater", ""),
+        ("pineapple", "grated", "GRATE", "knife + food processor", ""),
         ("pineapple", "minced", "MINCE", "knife", ""),
     ],
 )
