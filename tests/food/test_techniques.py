@@ -2,31 +2,43 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections import Counter
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
 from importlib.resources import files
+from pathlib import Path
 
 import pytest
 
+import foon_kg
 from foon_kg.food import tables
-from foon_kg.food.lists import word_lists
+from foon_kg.food.foods import UNKNOWN
+from foon_kg.food.listed import runs
+from foon_kg.food.lists import word_list, word_lists
 from foon_kg.food.rows import Dish
+from foon_kg.food.shipped import shipped
 from foon_kg.food.techniques import (
     Around,
     Foods,
     Part,
     Technique,
     _technique_rows,
+    components,
     preparations,
     techniques,
     ways,
     works,
 )
-from foon_kg.food.words import words
+from foon_kg.food.words import is_part, singular, words
+from foon_kg.model import DISH_TYPES
 
 ROWS = (*techniques(), *(row for when in ("ways", "dipped", "flesh", "warmed", "blended") for row in ways(when)))
-SAID = {"as mash", "due", "in one piece", "in pieces", "portion", "raw", "runs", "several"}
-"""What ways ask of how a food is named and comes, and no state."""
+ALL_ROWS = (*ROWS, *components(), *runs())
+TECHNIQUES = tuple(row if isinstance(row, Technique) else row.technique for row in ALL_ROWS)
+SAID = {"as mash", "coarse", "dark", "due", "in one piece", "in pieces", "portion", "raw", "runs", "several"}
+"""What rows ask of how a food is named and comes, and no state."""
 
 PLANS = {"by table", "cold", "one pot", "whole"}
 
@@ -39,27 +51,74 @@ def foods(technique):
     return [one for part in parts(technique) for one in part.foods]
 
 
-def meant(technique):
-    """All texts that name foods in a row."""
-    return [*foods(technique), *(one for need in technique.needs for one in need), *technique.without, *technique.one]
+def meant(row):
+    """Yield all texts that name foods in a row, in whatever field of it."""
+    if isinstance(row, Foods):
+        yield row
+    elif isinstance(row, Mapping):
+        yield from meant(tuple(row.values()))
+    elif is_dataclass(row):
+        yield from meant(tuple(getattr(row, field.name) for field in fields(row)))
+    elif isinstance(row, tuple):
+        yield from (one for part in row for one in meant(part))
 
 
-@pytest.mark.parametrize("technique", ROWS, ids=lambda one: one.name)
+def is_known(term):
+    """Whether a term is a kind, a trait or the name of a food, as foods are compared with it."""
+    table = tables().foods
+    traits = {trait for kind in table.kinds.values() for trait in kind.traits}
+    if term.startswith("kind:"):
+        return term.removeprefix("kind:") in table.kinds
+    return term in table.kinds or term in traits or (term == singular(term) and table.food(term).known)
+
+
+@pytest.mark.parametrize("technique", TECHNIQUES, ids=lambda one: one.name)
 def test_a_technique_names_only_what_the_tables_know(technique):
     assert {part.stage for part in parts(technique)} <= works().keys()
     assert {one.made for one in foods(technique)} <= {"", *preparations()}
     assert {line for part in parts(technique) for line in part.lines} == technique.lines.keys() - {"dish"}
     assert technique.plan <= PLANS
+    assert technique.types | technique.or_types <= set(DISH_TYPES)
     assert {name.removeprefix("!") for name in technique.dishes} <= Dish.__dataclass_fields__.keys()
     shown = {name.removeprefix("!") for name in technique.video}
     assert shown <= {"baked", "blend", "heat", "oven", "shape", "turn", "warm"}
+
+
+@pytest.mark.parametrize("row", ALL_ROWS, ids=lambda one: getattr(one, "name", "") or one.technique.name)
+def test_a_row_asks_for_foods_and_states_that_there_are(row):
+    asked = {name.removeprefix("!") for one in meant(row) for name in one.state.split("&")}
+    assert {name for name in asked if not name.startswith("for ")} <= {"", *SAID, *tables().states}
+    for term in {term.lstrip("!%") for one in meant(row) for term in one.terms} - {"*", "^"}:
+        assert term.startswith("#") or term.removeprefix("@") in word_lists() or is_known(term), term
+
+
+def test_what_a_component_or_run_is_for_is_a_part_of_a_dish():
+    parts_named = {part for one in components() for part in one.parts} | {one.part for one in runs()}
+    assert {part for part in parts_named if not is_part(part)} == set()
+    assert {one.by for one in components()} <= works().keys()
+
+
+@pytest.mark.parametrize("row", shipped("workings")["workings"], ids=lambda row: f"{row['motion']}: {row['state'][0]}")
+def test_a_working_names_only_what_the_tables_know(row):
     known = tables()
-    asked = {name.removeprefix("!") for one in meant(technique) for name in one.state.split("&")}
-    assert {name for name in asked if not name.startswith("for ")} <= {"", *SAID, *known.states}
-    traits = {trait for kind in known.foods.kinds.values() for trait in kind.traits}
-    for term in (term.lstrip("!%").removeprefix("kind:") for one in meant(technique) for term in one.terms):
-        named = term in known.foods.kinds or term in traits or known.foods.is_listed(term)
-        assert named or term in {"*", "^"} or term.startswith("#") or term.removeprefix("@") in word_lists(), term
+    assert {term for term in (*row["of"], *row.get("not", ())) if not is_known(term)} == set()
+    assert set(row["state"]) <= known.states.keys()
+    assert {name for name in (row["tool"], row["on"]) if name and known.utensil(name) is None} == set()
+    assert {name for name in (row["motion"], *row["like"]) if not known.motion(name).does} == set()
+
+
+FOOD_LISTS = {
+    name
+    for path in Path(foon_kg.__file__).parent.rglob("*.py")
+    for name in re.findall(r'(?:is_any\(word_list|\.has)\("([^"]+)"\)', path.read_text(encoding="utf-8"))
+    if name in word_lists()
+}
+"""The lists that the program asks whether a food is one of theirs."""
+
+
+@pytest.mark.parametrize("name", sorted(FOOD_LISTS))
+def test_a_list_of_foods_has_only_such_as_there_are(name):
+    assert {word for word in word_list(name) if word != UNKNOWN.name and not is_known(word)} == set()
 
 
 @pytest.mark.parametrize("technique", ROWS, ids=lambda one: one.name)
