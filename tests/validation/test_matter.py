@@ -72,7 +72,7 @@ def test_w4_no_strainer_holds_a_porridge_or_paste(food, state, fault):
 @pytest.mark.parametrize(("motion", "fault"), [("PRESS", False), ("STRAIN", False), ("PICK-AND-PLACE", True)])
 def test_w4_a_paste_is_poured_into_a_strainer_to_be_pressed_through(motion, fault):
     paste, held = "raspberry (blended; in strainer)", "strainer ({raspberry})"
-    pour = f"jar ({{raspberry}}) + raspberry (blended; in jar) + strainer (empty) → POUR → {held} + {paste} + jar (empty)"
+    pour = f"jar ({{raspberry}}) + raspberry (blended; in jar) + strainer (empty) → POUR → {held} + {paste} + jar"
     then = f"{held} + {paste} + bowl (empty) → {motion} → raspberry (blended; in bowl) + bowl ({{raspberry}})"
     assert breaks(lines(pour, then), "no strainer holds") is fault
 
