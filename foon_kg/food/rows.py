@@ -182,3 +182,11 @@ class Dish:
     formed: bool = False
     is_no: frozenset[str] = frozenset()
     raw: frozenset[str] = frozenset()
+
+    @property
+    def may_be_unknown(self) -> bool:
+        """Whether the food of this name may be one of which nothing is known: it is no type, and nobody has to heat it.
+
+        A cheese of another land is eaten as it is; a shoulder of its lamb would come raw on the plate.
+        """
+        return not self.is_type and not self.heated

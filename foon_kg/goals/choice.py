@@ -155,7 +155,7 @@ def _needs_nothing(dish: Dish, foods: Sequence[Food]) -> bool:
 
 def _may_be_there(dish: Dish, foods: Sequence[Food]) -> bool:
     """Whether one of ``foods`` may be what a title names by ``dish``, as nothing is known of it (datshi, a cheese)."""
-    return not dish.is_type and any(not food.known for food in foods)
+    return dish.may_be_unknown and any(not food.known for food in foods)
 
 
 def _boils_of_its_foods(dish: Dish, foods: Sequence[Food]) -> bool:

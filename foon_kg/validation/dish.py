@@ -192,7 +192,7 @@ def _is_asked(case: Case, dish: Dish) -> bool:
 
 def _may_be_there(case: Case, dish: Dish) -> bool:
     """Whether a food of which nothing is known may be what a title names by ``dish``: datshi, a cheese."""
-    return not dish.is_type and any(not part.food.known for part in case.parts)
+    return dish.may_be_unknown and any(not part.food.known for part in case.parts)
 
 
 def missing_namesakes(case: Case, label: str) -> Iterator[str]:

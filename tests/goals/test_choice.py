@@ -297,6 +297,10 @@ def test_a_food_of_which_nothing_is_known_may_be_what_a_title_names():
     assert refusals(wants(chilli="chopped"), "vegetables", "chillies and cheese", KNOWN)
 
 
+def test_a_food_of_which_nothing_is_known_is_no_flesh_that_somebody_has_to_cook():
+    assert refusals(wants(onion="chopped", ternascoxyz="whole"), "vegetables", "onions with lamb", KNOWN)
+
+
 def test_what_gives_a_broth_makes_a_soup_of_water_from_the_tap():
     assert refusals(wants(pork="chopped", onion="chopped"), "soup", "", KNOWN) == []
     assert refusals(wants(salt="granulated"), "soup", "", KNOWN)
