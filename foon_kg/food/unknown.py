@@ -7,7 +7,8 @@ which nothing is known is never owed any cooking: people have to be told, and ca
 from __future__ import annotations
 
 import difflib
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import lru_cache
@@ -21,11 +22,17 @@ from foon_kg.model import ObjectNode
 _NEARLY = 0.85
 """How alike two words are written (difflib's ratio) of which one may be a slip of the other."""
 
+_LIKE = 0.6
+"""The same of a typing error that the tables have and its word."""
+
 _SLIP_OF_A_MOTION = 0.75
 """The same for motions: they are few, so that one letter of a short one (poor: pour) is told as well."""
 
 _LONG = 4
 """So many letters a word has at least of which another may be a slip: short words have too many that are like them."""
+
+_LETTERS = 64
+"""Letters are told apart by the last six bits of their code points."""
 
 
 class WordKind(StrEnum):
@@ -87,15 +94,29 @@ def by_one_another(words: Mapping[UnknownWord, int]) -> dict[UnknownWord, Unknow
 
     ``words`` are those that no table has, with how many files have each.
     """
-    alike: dict[tuple[WordKind, str], list[tuple[str, int]]] = {}
+    alike: defaultdict[tuple[WordKind, str], dict[str, int]] = defaultdict(dict)
     for word, files in words.items():
-        alike.setdefault((word.kind, word.word[:1].lower()), []).append((word.word.lower(), files))
+        lower = word.word.lower()
+        there = alike[word.kind, lower[:1]]
+        there[lower] = max(files, there.get(lower, 0))
+    spelled = {key: Spellings(there) for key, there in alike.items()}
     told = {}
     for word, files in words.items():
-        there = alike[word.kind, word.word[:1].lower()]
-        others = () if word.meant or word.slip else [other for other, count in there if count > files]
-        told[word] = replace(word, meant=_meant([word.word.lower()], others)) if others else word
+        key = word.kind, word.word[:1].lower()
+        meant = _commoner(word, files, spelled[key], alike[key])
+        told[word] = replace(word, meant=meant) if meant else word
     return told
+
+
+def _commoner(word: UnknownWord, files: int, spelled: Spellings, having: Mapping[str, int]) -> str:
+    """Return which of the words ``spelled`` may be meant by ``word``, which so many ``files`` have: one that more have.
+
+    ``having`` says how many files have each; it is ``""`` where there is none, and where it is known what is meant.
+    """
+    lower = word.word.lower()
+    if word.meant or word.slip or len(lower) < _LONG:
+        return ""
+    return spelled.closest(lower, _NEARLY, lambda other: having[other] > files)
 
 
 def _names(nodes: Iterable[ObjectNode], known: Tables) -> Iterator[UnknownWord]:
@@ -169,11 +190,11 @@ def _slips(nodes: Iterable[ObjectNode], known: Tables) -> Iterator[UnknownWord]:
                 yield _slip(kind, name, names)
         for state in node.states:
             if state.lower() in slips:
-                yield _slip(WordKind.STATE, state, known.states.keys() - slips)
+                yield _slip(WordKind.STATE, state, frozenset(known.states) - slips)
 
 
-def _slip(kind: WordKind, word: str, listed: Collection[str]) -> UnknownWord:
-    meant = next(iter(difflib.get_close_matches(word.lower(), sorted(listed), 1)), "")
+def _slip(kind: WordKind, word: str, listed: frozenset[str]) -> UnknownWord:
+    meant = _closest(word.lower(), listed, _LIKE)
     return UnknownWord(kind, word, f"“{meant}”", nearly=True, meant=meant, slip=True)
 
 
@@ -202,11 +223,62 @@ def _phrase(kind: WordKind, phrase: str, listed: Iterable[str], nothing: str) ->
     if own != there or not own:
         taken_for = " and ".join(f"“{word}”" for word in sorted(there))
         near = _SLIP_OF_A_MOTION if kind is WordKind.MOTION and not there else _NEARLY
-        yield UnknownWord(kind, phrase, taken_for or nothing, meant=_meant(own - there, listed, near))
+        yield UnknownWord(kind, phrase, taken_for or nothing, meant=_meant(own - there, frozenset(listed), near))
 
 
-def _meant(words: Iterable[str], listed: Iterable[str], near: float = _NEARLY) -> str:
+def _meant(words: Iterable[str], listed: frozenset[str], near: float = _NEARLY) -> str:
     """Return the listed word that is written most like one of ``words``; ``""`` where none is ``near`` (0 to 1)."""
-    listed = sorted(listed)
-    close = (difflib.get_close_matches(word, listed, 1, near) for word in sorted(words) if len(word) >= _LONG)
-    return next((match for found in close for match in found), "")
+    close = (_closest(word, listed, near) for word in sorted(words) if len(word) >= _LONG)
+    return next(filter(None, close), "")
+
+
+@lru_cache(maxsize=1 << 12)
+def _closest(word: str, listed: frozenset[str], near: float) -> str:
+    """Return the ``listed`` word that is written most like ``word``; ``""`` where none is ``near``."""
+    return _spelled(listed).closest(word, near)
+
+
+@lru_cache(maxsize=8)
+def _spelled(listed: frozenset[str]) -> Spellings:
+    return Spellings(listed)
+
+
+def _any_word(_word: str) -> bool:
+    return True
+
+
+class Spellings:
+    """Words, by how long they are, each with the set of its letters as the bits of a number."""
+
+    def __init__(self, words: Iterable[str]) -> None:
+        self._by_length: defaultdict[int, list[tuple[int, str]]] = defaultdict(list)
+        for word in frozenset(words):
+            self._by_length[len(word)].append((_letters(word), word))
+
+    def closest(self, word: str, near: float, allowed: Callable[[str], bool] = _any_word) -> str:
+        """Return the word that is written most like ``word``, of those that are ``allowed``; ``""`` where none is near.
+
+        ``near`` is difflib's ratio, above 0 and at most 1, that it has at least. It is the word that
+        ``difflib.get_close_matches`` gives.
+        """
+        possible = list(filter(allowed, self._possible(word, near)))
+        return next(iter(difflib.get_close_matches(word, possible, 1, near)), "")
+
+    def _possible(self, word: str, near: float) -> Iterator[str]:
+        """Yield the words that may be ``near``: a letter that the other word lacks has no counterpart there."""
+        length, letters = len(word), _letters(word)
+        for other_length, members in self._by_length.items():
+            both = length + other_length
+            if 2.0 * min(length, other_length) < near * both:
+                continue
+            for other_letters, other in members:
+                own, others = (letters & ~other_letters).bit_count(), (other_letters & ~letters).bit_count()
+                if 2.0 * min(length - own, other_length - others) >= near * both:
+                    yield other
+
+
+def _letters(word: str) -> int:
+    letters = 0
+    for letter in word:
+        letters |= 1 << ord(letter) % _LETTERS
+    return letters
