@@ -98,10 +98,6 @@ class Kitchen:
         """Whether a leaf is missing from what a person named as being at hand; never where nobody named anything."""
         return False
 
-    def may_have(self, _food: str) -> bool:
-        """Whether a food may be at hand in some state; always where nobody named the foods that are."""
-        return True
-
     def stands_ready(self, _food: str, _state: str) -> bool:
         """Whether a person named a food as being at hand in a state that otherwise somebody would have to make."""
         return False

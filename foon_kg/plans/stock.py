@@ -87,10 +87,6 @@ class StockedKitchen(Kitchen):
         """Whether ``node`` is nothing that was named, wherever it stands now."""
         return not (self._has_utensil(node) if self.is_utensil(node.label) else self._has_food(node))
 
-    def may_have(self, food: str) -> bool:
-        """Whether ``food`` was named in any state, or foods were not named at all."""
-        return self.foods_named is None or bool(self._foods_called(food))
-
     def stands_ready(self, food: str, state: str) -> bool:
         """Whether a food was named in a processed state."""
         return not super().is_start_state(food, state) and any(

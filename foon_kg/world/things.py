@@ -146,11 +146,6 @@ class Vessel:
             found.update([part.name for part in lump.parts])
         return found
 
-    @property
-    def is_many(self) -> bool:
-        """Whether a kitchen has more of its kind."""
-        return self.row.many
-
     def is_on(self, burner: str = "") -> bool:
         """Return whether it is on, for the vessel called ``burner`` where it has a burner for each."""
         if self.row.always_on:

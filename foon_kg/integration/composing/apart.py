@@ -162,7 +162,7 @@ def _in_parts(wants: Sequence[Want], known: Tables) -> Iterator[Want]:
 
 def _part(want: Want, label: str, known: Tables) -> Want:
     facts = known.foods.food(label)
-    return replace(want, label=label, facts=facts, leaf=(want.asked,), storage="", make="", read_as=None, of=want)
+    return replace(want, label=label, facts=facts, leaf=(want.asked,), storage="", make="", of=want)
 
 
 def _has_foam(found: Apart) -> bool:

@@ -130,4 +130,4 @@ def _comes_canned(want: Want, wants: Collection[Want], title_words: Collection[s
 
 def _canned(want: Want, known: Tables) -> Want:
     facts = known.foods.food(want.label, [CANNED])
-    return replace(want, facts=facts, leaf=(CANNED,), storage=facts.sold_in, read_as=CANNED)
+    return replace(want, facts=facts, leaf=(CANNED,), storage=facts.sold_in)

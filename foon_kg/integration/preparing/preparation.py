@@ -58,10 +58,9 @@ class Want:
     """A required food as it is understood.
 
     ``leaf`` are the states in which the kitchen has it, in ``storage`` (``""``: free). ``make`` is the asked state that
-    somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
-    (``None``: it was taken at its word). ``squeezed``: only its juice is used. ``bought_so``: no kitchen of this FOON
-    makes what is asked (smoked, pickled). ``at_hand``: somebody has it in the asked state. ``stands``: it is in
-    ``storage`` since somebody put it there. ``then`` is what is made of
+    somebody has to make, ``cooked`` says that it is asked cooked. ``squeezed``: only its juice is used.
+    ``bought_so``: no kitchen of this FOON makes what is asked (smoked, pickled). ``at_hand``: somebody has it in the
+    asked state. ``stands``: it is in ``storage`` since somebody put it there. ``then`` is what is made of
     it once it is cooked (mashed). ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes
     out of an oven. ``part`` is for what of the dish the recipe says that it is, ``places`` are those at which it lists
     it. ``as_written`` is what the recipe says of its state, where that is several things
@@ -77,7 +76,6 @@ class Want:
     storage: str
     make: str = ""
     cooked: bool = False
-    read_as: str | None = None
     squeezed: bool = False
     bought_so: bool = False
     then: str = ""
@@ -106,14 +104,13 @@ class Ready:
     """A food that is ready to join, and what had to be assumed for it.
 
     ``whole_shell``: it is still in its shell, and is opened over the vessel that it joins. ``cut_later`` is the state
-    into which it is cut once it is cooked, ``read_as`` that as which the asked one was read.
+    into which it is cut once it is cooked.
     """
 
     want: Want
     stuff: Stuff
     whole_shell: bool = False
     cut_later: str = ""
-    read_as: str | None = None
     assumptions: list[str] = field(default_factory=list)
 
 

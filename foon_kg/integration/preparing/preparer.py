@@ -262,12 +262,9 @@ class Preparer(Treater):
         return bool(cut) and not known and self.way_to_cut(want, cut) is None
 
     def _is_finer(self, ready: Ready, state: str) -> bool:
-        """Whether a food is a powder already, of which nobody makes pieces; it is read as that where it is asked."""
-        powder = next((one for one in ready.stuff.states if self.known.state(one).fineness >= POWDER), "")
-        finer = bool(powder) and self.known.state(state).fineness < POWDER
-        if finer and state == ready.want.make:
-            ready.read_as = powder
-        return finer
+        """Whether a food is a powder already, of which nobody makes pieces."""
+        powder = any(self.known.state(one).fineness >= POWDER for one in ready.stuff.states)
+        return powder and self.known.state(state).fineness < POWDER
 
     def _cut(self, ready: Ready, state: str, *, done: bool = False) -> None:
         """Bring a food into pieces of that state, unless it is a powder; where nobody does so, assume it.

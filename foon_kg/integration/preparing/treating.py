@@ -76,8 +76,6 @@ class Treater(Cutter):
                 self.assume(ready, self._state_for(name, want))
             return
         state = self._state_when_treated(want, attested.way, does)
-        if want.make and want.make != state and not self.known.state(want.make).fine:
-            ready.read_as = state
         board = self.board(attested.way)
         if not board and stuff.at is not None and stuff.at.storage:
             board = BOWL  # what is peeled does not stay in its packet
@@ -132,7 +130,6 @@ class Treater(Cutter):
         bench.declare(how.motion, attested, stuff.label)
         act = replace(attested, way=(how.motion, (how.tool,) if how.tool else ()))
         bench.act(stuff, act, tuple(sorted({*kept, state})), how.on)
-        ready.read_as = None
         return True
 
     def _is_poured_to(self, how: Working, stuff: Stuff) -> bool:
@@ -290,7 +287,6 @@ class Treater(Cutter):
             stuff.at, stuff.states = bowl, (JUICE,)
 
         bench.emit(attested, [stuff, *([board] if board is not None else []), bowl], change, [stuff, bowl])
-        ready.read_as = JUICE
 
     def opening(self, want: Want) -> Attested | None:
         """Return the way to open the shell of ``want`` over a vessel, if there is one."""

@@ -111,7 +111,7 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
         state = min(word_list("is beaten flat"))
     else:
         return _in_a_package(_as_asked(number, one, known, operators))
-    return replace(_as_asked(number, replace(one, state=state), known, operators), asked=one.state, read_as=state)
+    return replace(_as_asked(number, replace(one, state=state), known, operators), asked=one.state)
 
 
 def _in_a_package(want: Want) -> Want:
@@ -134,8 +134,8 @@ def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Op
     if _is_had_so(facts, row):
         return _as_had(want, plain, known, operators)
     if _is_given_by_heat(want, row):
-        return _as_heated(want, plain, known)
-    return _otherwise(want, plain, row, operators)
+        return _as_heated(want, known)
+    return _otherwise(want, row, operators)
 
 
 def _facts(one: RequiredIngredient, known: Tables) -> Food:
@@ -158,7 +158,7 @@ def _as_had(want: Want, plain: str, known: Tables, operators: Operators) -> Want
         return replace(want, make=want.asked)
     if _taken_at_its_word(want, plain, known, operators):
         return replace(want, leaf=(want.asked,))
-    return replace(want, read_as=plain)
+    return want
 
 
 def _is_given_by_heat(want: Want, row: State) -> bool:
@@ -166,33 +166,29 @@ def _is_given_by_heat(want: Want, row: State) -> bool:
     return by_boiling or (row.needs_heat and "cook" in row.earns)
 
 
-def _as_heated(want: Want, plain: str, known: Tables) -> Want:
-    """Return a food that is asked cooked: by itself, where it is a thing that can be; else it is read as ``plain``."""
+def _as_heated(want: Want, known: Tables) -> Want:
+    """Return a food that is asked cooked: by itself, where it is a thing that can be; else as it is sold."""
     form = form_of(known, want.label, want.leaf)
     whole = form in {"whole", "pieces"} and not want.facts.is_a("spice", "fat")
     toasted = want.asked in word_list("is so by dry heat") and want.facts.is_any(word_list("is toasted by itself"))
-    return replace(want, cooked=True, make=want.asked) if whole or toasted else replace(want, read_as=plain)
+    return replace(want, cooked=True, make=want.asked) if whole or toasted else want
 
 
-def _otherwise(want: Want, plain: str, row: State, operators: Operators) -> Want:
-    """Return a food that is asked in a state, that of ``row``, which no heat gives: as hands make it, or as it is sold.
-
-    ``plain`` is the state in which it is sold.
-    """
+def _otherwise(want: Want, row: State, operators: Operators) -> Want:
+    """Return a food that is asked in a state, that of ``row``, which no heat gives: as hands make it, or as sold."""
     facts, state = want.facts, want.asked
     form = form_of(operators.known, want.label, want.leaf)
     if JUICE in state and form == "whole" and operators.giving.get(JUICE):
         return replace(want, make=state, squeezed=True)
     if _lacks_a_mill(want, operators):
-        return _as_ground(want, plain)
+        return _as_ground(want)
     if state in word_list("has no shell any more") and facts.is_any(word_list("runs out of its shell")):
-        boiled = min(word_list("is boiled so"))
-        return replace(want, make=boiled, cooked=True, read_as=boiled)
+        return replace(want, make=min(word_list("is boiled so")), cooked=True)
     others = _done_by_others(want, row, operators)
     if others is not None:
         return others
     if not _can_be_made(want, form, row, operators):
-        return replace(want, read_as=plain)
+        return want
     return replace(_without_its_shell(want, row), make=state)
 
 
@@ -208,10 +204,10 @@ def _lacks_a_mill(want: Want, operators: Operators) -> bool:
     return wants_a_mill(want.asked, want.facts, operators.known) and next(mills, None) is None
 
 
-def _as_ground(want: Want, plain: str) -> Want:
-    """Return a food that is asked ground where nobody has a mill: bought so, if it is sold so, else as ``plain``."""
+def _as_ground(want: Want) -> Want:
+    """Return a food that is asked ground where nobody has a mill: bought so, if it is sold so, else as it is sold."""
     ground = want.facts.is_any(word_list("is sold ground")) or not want.facts.traits
-    return replace(want, leaf=(want.asked,), bought_so=True) if ground else replace(want, read_as=plain)
+    return replace(want, leaf=(want.asked,), bought_so=True) if ground else want
 
 
 def _misread(want: Want) -> Want | None:
@@ -219,9 +215,9 @@ def _misread(want: Want) -> Want | None:
     sold = want.facts.sold_as
     piece = sold in word_list("is one piece of it") and want.asked in word_list("is no state of a piece")
     if piece or want.asked in word_list("says nothing of one food"):
-        return replace(want, leaf=(sold,) if sold else (), read_as=sold)
+        return replace(want, leaf=(sold,) if sold else ())
     state = _cut_as(want) if want.facts.is_a("vegetable") else ""
-    return replace(want, make=state, read_as=state) if state else None
+    return replace(want, make=state) if state else None
 
 
 def _cut_as(want: Want) -> str:
@@ -249,7 +245,7 @@ def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None
     """Return a food whose asked state is not given to it alone: drained of what it was canned or boiled in, smoked."""
     canned = operators.known.foods.food(want.label, [CANNED])
     if row.earns & FROM_A_CAN and canned.sold_as == CANNED:
-        return replace(want, facts=canned, leaf=(CANNED,), storage=canned.sold_in, read_as=CANNED)
+        return replace(want, facts=canned, leaf=(CANNED,), storage=canned.sold_in)
     if row.earns and row.earns <= ADVISED and row.earns != RINSED and "boil" in want.facts.owes:
         return replace(want, cooked=True)
     return replace(want, leaf=(want.asked,), bought_so=True) if is_bought_so(row, want.asked, operators) else None
