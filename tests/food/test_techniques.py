@@ -6,7 +6,8 @@ import re
 import tomllib
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
+from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
@@ -34,13 +35,23 @@ from foon_kg.food.techniques import (
 from foon_kg.food.words import is_part, singular, words
 from foon_kg.model import DISH_TYPES
 
-ROWS = (*techniques(), *(row for when in ("ways", "dipped", "flesh", "warmed", "blended") for row in ways(when)))
-ALL_ROWS = (*ROWS, *components(), *runs())
-TECHNIQUES = tuple(row if isinstance(row, Technique) else row.technique for row in ALL_ROWS)
 SAID = {"as mash", "coarse", "dark", "due", "in one piece", "in pieces", "portion", "raw", "runs", "several"}
 """What rows ask of how a food is named and comes, and no state."""
 
 PLANS = {"by table", "cold", "one pot", "whole"}
+
+
+def techniques_and_ways():
+    return (*techniques(), *(row for when in ("ways", "dipped", "flesh", "warmed", "blended") for row in ways(when)))
+
+
+def rows():
+    """Return every row of the tables that tells how something is made."""
+    return (*techniques_and_ways(), *components(), *runs())
+
+
+def technique_of(row):
+    return row if isinstance(row, Technique) else row.technique
 
 
 def parts(technique):
@@ -63,6 +74,7 @@ def meant(row):
         yield from (one for part in row for one in meant(part))
 
 
+@cache
 def is_known(term):
     """Whether a term is a kind, a trait or the name of a food, as foods are compared with it."""
     table = tables().foods
@@ -72,24 +84,42 @@ def is_known(term):
     return term in table.kinds or term in traits or (term == singular(term) and table.food(term).known)
 
 
-@pytest.mark.parametrize("technique", TECHNIQUES, ids=lambda one: one.name)
-def test_a_technique_names_only_what_the_tables_know(technique):
-    assert {part.stage for part in parts(technique)} <= works().keys()
-    assert {one.made for one in foods(technique)} <= {"", *preparations()}
-    assert {line for part in parts(technique) for line in part.lines} == technique.lines.keys() - {"dish"}
-    assert technique.plan <= PLANS
-    assert technique.types | technique.or_types <= set(DISH_TYPES)
-    assert {name.removeprefix("!") for name in technique.dishes} <= Dish.__dataclass_fields__.keys()
+def unknown_words(technique):
+    """Return what a technique names and no table has."""
     shown = {name.removeprefix("!") for name in technique.video}
-    assert shown <= {"baked", "blend", "heat", "oven", "shape", "turn", "warm"}
+    return (
+        {part.stage for part in parts(technique)} - works().keys()
+        | {one.made for one in foods(technique)} - {"", *preparations()}
+        | {line for part in parts(technique) for line in part.lines} ^ (technique.lines.keys() - {"dish"})
+        | technique.plan - PLANS
+        | (technique.types | technique.or_types) - set(DISH_TYPES)
+        | {name.removeprefix("!") for name in technique.dishes} - Dish.__dataclass_fields__.keys()
+        | shown - {"baked", "blend", "heat", "oven", "shape", "turn", "warm"}
+    )
 
 
-@pytest.mark.parametrize("row", ALL_ROWS, ids=lambda one: getattr(one, "name", "") or one.technique.name)
-def test_a_row_asks_for_foods_and_states_that_there_are(row):
+def test_a_technique_names_only_what_the_tables_know():
+    unknown = {one.name: unknown_words(one) for one in map(technique_of, rows())}
+    assert {name: words for name, words in unknown.items() if words} == {}
+
+
+def test_a_word_that_no_table_has_is_found():
+    (row, *_) = techniques()
+    for wrong in ({"plan": {"hot"}}, {"types": {"stew"}}, {"video": ("frost",)}):
+        assert unknown_words(replace(row, **wrong))
+
+
+def unknown_foods_and_states(row):
+    """Return the states and foods that a row asks for and no table has."""
     asked = {name.removeprefix("!") for one in meant(row) for name in one.state.split("&")}
-    assert {name for name in asked if not name.startswith("for ")} <= {"", *SAID, *tables().states}
-    for term in {term.lstrip("!%") for one in meant(row) for term in one.terms} - {"*", "^"}:
-        assert term.startswith("#") or term.removeprefix("@") in word_lists() or is_known(term), term
+    terms = {term.lstrip("!%") for one in meant(row) for term in one.terms} - {"*", "^"}
+    return {name for name in asked if not name.startswith("for ")} - {"", *SAID, *tables().states} | {
+        term for term in terms if not (term.startswith("#") or term.removeprefix("@") in word_lists() or is_known(term))
+    }
+
+
+def test_a_row_asks_for_foods_and_states_that_there_are():
+    assert [(technique_of(row).name, wrong) for row in rows() if (wrong := unknown_foods_and_states(row))] == []
 
 
 def test_what_a_component_or_run_is_for_is_a_part_of_a_dish():
@@ -107,23 +137,22 @@ def test_a_working_names_only_what_the_tables_know(row):
     assert {name for name in (row["motion"], *row["like"]) if not known.motion(name).does} == set()
 
 
-FOOD_LISTS = {
-    name
-    for path in Path(foon_kg.__file__).parent.rglob("*.py")
-    for name in re.findall(r'(?:is_any\(word_list|\.has)\("([^"]+)"\)', path.read_text(encoding="utf-8"))
-    if name in word_lists()
-}
-"""The lists that the program asks whether a food is one of theirs."""
+def lists_of_foods():
+    """Return the lists that the program asks whether a food is one of theirs."""
+    asked = re.compile(r'(?:is_any\(word_list|\.has)\("([^"]+)"\)')
+    programs = Path(foon_kg.__file__).parent.rglob("*.py")
+    return {name for path in programs for name in asked.findall(path.read_text(encoding="utf-8"))} & set(word_lists())
 
 
-@pytest.mark.parametrize("name", sorted(FOOD_LISTS))
-def test_a_list_of_foods_has_only_such_as_there_are(name):
-    assert {word for word in word_list(name) if word != UNKNOWN.name and not is_known(word)} == set()
+def test_a_list_of_foods_has_only_such_as_there_are():
+    found = lists_of_foods()
+    assert found
+    words_of = [(name, word) for name in sorted(found) for word in word_list(name)]
+    assert [(name, word) for name, word in words_of if word != UNKNOWN.name and not is_known(word)] == []
 
 
-@pytest.mark.parametrize("technique", ROWS, ids=lambda one: one.name)
-def test_every_food_has_a_place_in_a_technique(technique):
-    assert sum(one.is_rest for one in foods(technique)) == 1
+def test_every_food_has_a_place_in_a_technique():
+    assert [one.name for one in techniques_and_ways() if sum(food.is_rest for food in foods(one)) != 1] == []
 
 
 def test_a_stage_is_read_with_all_that_it_says():
@@ -202,7 +231,13 @@ def test_foods_are_meant_by_kind_word_list_and_state(text, states, is_meant):
     assert Foods.read(text).mean("unsalted butter", tables().foods.food("unsalted butter"), states) is is_meant
 
 
+@cache
 def rows_with_names():
+    """Return every row that has a name, with it and its file."""
+    return tuple(_rows_with_names())
+
+
+def _rows_with_names():
     for file in sorted(files("foon_kg.food").iterdir(), key=lambda one: one.name):
         if file.name.endswith(".toml") and file.name != "called.toml":
             table = tomllib.loads(file.read_text(encoding="utf-8"))

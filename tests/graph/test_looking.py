@@ -46,8 +46,8 @@ PLACES = {
     "itself": "@",
 }
 ATTEMPTS = [
-    pytest.param(version + place.replace("@", clause), id=f"{what} in {where}, {version or 'as it is'}")
-    for where, place in PLACES.items() for what, clause in INSIDE.items() for version in ("CYPHER 5 ", "CYPHER 25 ", "")
+    version + place.replace("@", clause)
+    for place in PLACES.values() for clause in INSIDE.values() for version in ("CYPHER 5 ", "CYPHER 25 ", "")
 ]  # fmt: skip
 DISGUISES = (
     "load/* */csv FROM 'x' AS l RETURN l",
@@ -86,11 +86,22 @@ LOOKS = (
 )
 
 
-@pytest.mark.parametrize("attempt", [*ATTEMPTS, *DISGUISES])
-def test_an_attempt_is_refused_before_any_server_sees_it(attempt):
-    with pytest.raises(WriteRefused) as refused:
+def refusal(attempt):
+    """Return with which hint a question is refused; None where it is let through."""
+    try:
         only_looking(attempt)
-    assert refused.value.hint
+    except WriteRefused as refused:
+        return refused.hint
+    return None
+
+
+def test_an_attempt_is_refused_before_any_server_sees_it():
+    assert [attempt for attempt in ATTEMPTS if not refusal(attempt)] == []
+
+
+@pytest.mark.parametrize("attempt", DISGUISES)
+def test_an_attempt_in_disguise_is_refused(attempt):
+    assert refusal(attempt)
 
 
 @pytest.mark.neo4j
