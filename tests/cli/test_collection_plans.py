@@ -22,8 +22,6 @@ from foon_kg.store.graph import Connection, load
 from foon_kg.store.graph.free_cypher import ask_freely
 from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes, recipes_after, recipes_until
 
-distributed = pytest.importorskip("distributed", reason="the extra “cluster” is not installed")
-
 LINES = 8
 FOON = [sys.executable, "-c", f"from foon_kg.cli import blocks, main; blocks.LINES = {LINES}; main()"]
 FOODS = ("onion", "tomato", "cucumber", "carrot", "olive oil")
@@ -129,6 +127,7 @@ def test_what_another_program_learnt_is_read_whole(connection, tmp_path, monkeyp
 @contextmanager
 def cluster(folder):
     """A scheduler and two workers, each a process as on a machine of its own; its address and the workers."""
+    distributed = pytest.importorskip("distributed", reason="the extra “cluster” is not installed")
     told = folder / "scheduler.json"
     rest = ["--host", "127.0.0.1", "--no-dashboard", "--scheduler-file", str(told)]
     worker = ["worker", *rest, "--nthreads", "1", "--no-nanny"]

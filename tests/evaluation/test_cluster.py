@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from extras import needs
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
@@ -10,15 +11,15 @@ from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.model.errors import UsageError
 from foon_kg.planning.cluster import spread_over
 
-pytestmark = pytest.mark.slow
-
-distributed = pytest.importorskip("distributed", reason="the extra “cluster” is not installed")
+pytestmark = [pytest.mark.slow, needs("distributed")]
 
 
 @pytest.fixture(scope="module")
 def address():
+    from distributed import LocalCluster
+
     settings = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": ":0"}
-    with distributed.LocalCluster(host="127.0.0.1", **settings) as cluster:
+    with LocalCluster(host="127.0.0.1", **settings) as cluster:
         yield cluster.scheduler_address
 
 
@@ -74,7 +75,9 @@ def test_a_scheduler_that_does_not_answer_is_named(monkeypatch):
 
 
 def test_a_scheduler_without_workers_is_told():
-    nobody = distributed.LocalCluster(n_workers=0, host="127.0.0.1", dashboard_address=":0")
+    from distributed import LocalCluster
+
+    nobody = LocalCluster(n_workers=0, host="127.0.0.1", dashboard_address=":0")
     refused = pytest.raises(UsageError, match="has no workers")
     with nobody as cluster, refused, spread_over(Adding, [1], cluster.scheduler_address):
         pass

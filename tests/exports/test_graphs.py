@@ -7,8 +7,6 @@ import json
 import re
 from dataclasses import replace
 
-import networkx as nx
-import pydot
 import pytest
 from exports.odd_trees import of_file, trees
 from hypothesis import given, settings
@@ -36,6 +34,12 @@ def shape(tree):
     objects = {node for known in tree.units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
     edges = sum(len(k.unit.input_nodes) + len(k.unit.output_nodes) for k in tree.units)
     return len(objects | set(tree.kitchen)), len(tree.units), edges
+
+
+def read_by_networkx(graphml):
+    from networkx import parse_graphml
+
+    return parse_graphml(graphml)
 
 
 def nodes_in(tree):
@@ -75,7 +79,7 @@ def test_a_flowchart_has_the_graph_and_every_name(tree):
 @settings(max_examples=25, deadline=None)
 @given(trees)
 def test_graphml_gives_networkx_every_field(tree):
-    graph = nx.parse_graphml(write_graphml(BipartiteGraph.of_tree(tree)))
+    graph = read_by_networkx(write_graphml(BipartiteGraph.of_tree(tree)))
     objects, units, count = shape(tree)
     found = [data for _, data in graph.nodes(data=True) if data["kind"] != "motion"]
     assert (graph.number_of_nodes(), graph.number_of_edges()) == (objects + units, count)
@@ -100,7 +104,7 @@ def test_graphml_has_the_success_rate_of_motions_that_have_a_weight():
     tree = of_file(subgraph("salad", "salad", *SALAD))
     motions = sorted({known.unit.motion for known in tree.units})
     costs = MotionCosts({motions[0]: 0.9})
-    graph = nx.parse_graphml(write_graphml(BipartiteGraph.of_tree(tree, costs)))
+    graph = read_by_networkx(write_graphml(BipartiteGraph.of_tree(tree, costs)))
     rates = {values["motion"]: values.get("success_rate") for _, values in graph.nodes(data=True) if "motion" in values}
     assert len(rates) > 1
     assert rates == dict.fromkeys(motions) | {motions[0]: 0.1}
@@ -110,7 +114,9 @@ def test_graphml_has_the_success_rate_of_motions_that_have_a_weight():
 @settings(max_examples=8, deadline=None)
 @given(trees)
 def test_dot_is_read_by_a_parser_of_dot(tree):
-    (graph,) = pydot.graph_from_dot_data(write_dot(BipartiteGraph.of_tree(tree)))
+    from pydot import graph_from_dot_data
+
+    (graph,) = graph_from_dot_data(write_dot(BipartiteGraph.of_tree(tree)))
     objects, units, count = shape(tree)
     nodes = {node.get_name(): node for node in graph.get_nodes() if re.fullmatch(r"[om]\d+", node.get_name())}
     assert (len(nodes), len(graph.get_edges())) == (objects + units, count)
@@ -134,11 +140,13 @@ def test_colours_tell_goal_foods_utensils_and_motions_and_what_moves_is_thick():
 def test_a_whole_foon_is_one_graph_in_which_videos_meet():
     lines = ("onion(whole); knife > chop > onion(chopped)", "onion(chopped) > fry > soup{onion}")
     foon = Snapshot.of([subgraph("a", "soup", *lines), subgraph("b", "soup", *lines)], Kitchen.default())
-    graph = nx.parse_graphml(write_graphml(BipartiteGraph.of_foon(foon)))
+    graph = read_by_networkx(write_graphml(BipartiteGraph.of_foon(foon)))
     assert (graph.number_of_nodes(), graph.number_of_edges()) == (6, 5)
     chop = next(data for _, data in graph.nodes(data=True) if data.get("motion") == "chop")
     assert [seen["video"] for seen in json.loads(chop["seen_in"])] == ["a", "b"]
-    assert nx.is_directed_acyclic_graph(graph)
+    from networkx import is_directed_acyclic_graph
+
+    assert is_directed_acyclic_graph(graph)
 
 
 def test_control_characters_are_refused_where_xml_cannot_hold_them():
@@ -173,7 +181,7 @@ def test_two_things_that_look_alike_are_two_nodes_where_the_plan_numbers_them():
         return sum(one == node("bowl") for one in drawn(units).objects.values())
 
     assert (bowls(planned), bowls(numbered)) == (1, 2)
-    told = nx.parse_graphml(write_graphml(drawn(numbered)))
+    told = read_by_networkx(write_graphml(drawn(numbered)))
     assert {one["thing"] for _, one in told.nodes(data=True) if one.get("text") == "bowl"} == {1, 3}
     for text in (
         write_dot(drawn(numbered)),
@@ -181,7 +189,7 @@ def test_two_things_that_look_alike_are_two_nodes_where_the_plan_numbers_them():
     ):
         assert all(f'"bowl #{number}"' in text for number in (1, 3))
     assert "thing" not in {
-        key for _, one in nx.parse_graphml(write_graphml(drawn(planned))).nodes(data=True) for key in one
+        key for _, one in read_by_networkx(write_graphml(drawn(planned))).nodes(data=True) for key in one
     }
 
 

@@ -9,7 +9,6 @@ import sys
 from contextlib import nullcontext
 from pathlib import Path
 
-import networkx as nx
 import pytest
 
 import foon_kg
@@ -83,9 +82,11 @@ def test_a_plan_says_why_and_shows_itself(salad):
 
 
 def test_a_plan_is_a_graph_in_which_food_flows_to_the_dish(salad):
+    from networkx import has_path
+
     graph = salad.to_networkx()
     onion = next(node for node, data in graph.nodes(data=True) if data["label"] == "onion" and "whole" in node)
-    assert nx.has_path(graph, onion, str(salad.goal))
+    assert has_path(graph, onion, str(salad.goal))
     assert sum(data["kind"] == "motion" for _, data in graph.nodes(data=True)) == len(salad)
 
 
