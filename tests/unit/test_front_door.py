@@ -70,10 +70,10 @@ def named(path):
     return ".".join(path.relative_to(PACKAGE).with_suffix("").parts).removesuffix(".__init__")
 
 
-@pytest.mark.parametrize("path", AT_THE_DOOR, ids=named)
-def test_a_module_at_the_door_calls_nothing_behind_it(path):
+def test_a_module_at_the_door_calls_nothing_behind_it():
     beyond = [
-        f"{module}.{name}"
+        f"{named(path)}: {module}.{name}"
+        for path in AT_THE_DOOR
         for module, name in runs(ast.parse(path.read_text(encoding="utf-8")))
         if not may(named(path), module, name)
     ]
