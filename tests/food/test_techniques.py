@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import fields, is_dataclass, replace
 from functools import cache
 from importlib.resources import files
+from itertools import chain
 from pathlib import Path
 
 import pytest
@@ -84,6 +85,11 @@ def is_known(term):
     return term in table.kinds or term in traits or (term == singular(term) and table.food(term).known)
 
 
+def no_utensils(names):
+    """Return which of ``names`` the table of utensils does not have."""
+    return {name for name in names if name and tables().utensil(name) is None}
+
+
 def unknown_words(technique):
     """Return what a technique names and no table has."""
     shown = {name.removeprefix("!") for name in technique.video}
@@ -91,6 +97,7 @@ def unknown_words(technique):
         {part.stage for part in parts(technique)} - works().keys()
         | {one.made for one in foods(technique)} - {"", *preparations()}
         | {line for part in parts(technique) for line in part.lines} ^ (technique.lines.keys() - {"dish"})
+        | no_utensils(part.vessel for part in parts(technique))
         | technique.plan - PLANS
         | (technique.types | technique.or_types) - set(DISH_TYPES)
         | {name.removeprefix("!") for name in technique.dishes} - Dish.__dataclass_fields__.keys()
@@ -101,6 +108,27 @@ def unknown_words(technique):
 def test_a_technique_names_only_what_the_tables_know():
     unknown = {one.name: unknown_words(one) for one in map(technique_of, rows())}
     assert {name: words for name, words in unknown.items() if words} == {}
+
+
+def test_a_stage_is_done_by_a_motion_with_utensils_that_there_are():
+    known = tables()
+    for name, work in works().items():
+        assert no_utensils((work.vessel, work.over, work.appliance, *work.tools)) == set(), name
+        assert not work.motion or known.motion(work.motion).does, name
+        assert set(work.states) <= known.states.keys(), name
+        assert not work.appliance or known.utensil(work.appliance).source == work.source, name
+
+
+def test_a_preparation_names_states_and_ways_of_cooking_that_there_are():
+    for name, row in shipped("techniques")["preparations"].items():
+        assert {row[key] for key in ("make", "then") if key in row} <= tables().states.keys(), name
+        assert row.get("cooked", "cook") in {"bake", "boil", "cook", "toast"}, name
+
+
+def test_what_a_motion_asks_of_its_tool_some_utensil_can_do():
+    abilities = {ability for one in tables().utensils.values() for ability in one.can}
+    motions = [tables().motion(name) for name in (*tables().motions, *tables().motion_words)]
+    assert {ability for one in motions for ability in chain.from_iterable(one.tools)} <= abilities | {"hand"}
 
 
 def test_a_word_that_no_table_has_is_found():
