@@ -36,10 +36,10 @@ from muhai_networks import WORDS, Action, Key, Recipe, Steps, steps_of
 from foon_kg.food import singular
 from foon_kg.language.drafting import Draft, DraftUnit, draft
 from foon_kg.language.drafting.precedents import FoonPrecedents
-from foon_kg.language.drafting.tables import thing
 from foon_kg.language.instructions import with_actions
 from foon_kg.language.recipe_text import ingredients
 from foon_kg.loaders import read_paths
+from foon_kg.loaders.draft_tables import thing
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Timing
 from foon_kg.model.narration import Narration, Sentence
 from foon_kg.plans.kitchen import Kitchen

@@ -23,7 +23,8 @@ def read_weights(path: Path) -> MotionCosts:
     try:
         text = read_text(path)
     except (OSError, UnicodeDecodeError) as error:
-        raise ReadError(f"{path}: cannot be read: {error}", hint=_SHAPE) from error
+        why = error.strerror if isinstance(error, OSError) else "it is no text in UTF-8"
+        raise ReadError(f"{path}: cannot be read: {why}", hint=_SHAPE) from error
     try:
         entries = json.loads(text, object_pairs_hook=_Entries)
     except json.JSONDecodeError as error:

@@ -18,8 +18,8 @@ from foon_kg.model.written_files import write_file, writing
 
 if TYPE_CHECKING:
     from foon_kg.language.drafting import Draft
-    from foon_kg.language.drafting.drafts import DraftFile
     from foon_kg.model import Subgraph
+    from foon_kg.model.drafts import DraftFile
     from foon_kg.model.narration import Narration
 
 app = CommandGroup(name="draft", help="Draft subgraphs of narrated videos and of text.")
@@ -99,27 +99,11 @@ def text(
     heading, or at the top, each with its amount). Each action becomes units as those of a narrated
     video do: look at a draft with foon draft review, change it in any editor, load it with foon draft accept.
     """
-    from foon_kg.language.recipe_text import ingredients, recipe_text
-    from foon_kg.loaders.narrated import is_video_name
-    from foon_kg.model.errors import ReadError
-    from foon_kg.model.narration import Narration, Sentence
+    from foon_kg.foon import Foon
 
     check_dish_types([dish] if dish is not None else [])
     say = sayer(quiet=quiet)
-    narrations = []
-    for path in paths:
-        if not is_video_name(path.stem):
-            raise UsageError(f"{path}: a draft cannot be named after it", hint="Rename it: letters, digits, - and _.")
-        parts = recipe_text(_lines(path))
-        if not parts.instructions:
-            raise ReadError(f"{path}: no words in it that say what to do", hint="A step a line, or running text.")
-        try:
-            listed = ingredients(parts.ingredients)
-        except UsageError as missing:  # the extra that reads them; the instructions can be drafted all the same
-            say(f"{path}: drafted without its list of ingredients: {missing} {missing.hint}")
-            listed = ()
-        sentences = tuple(map(Sentence, parts.instructions))
-        narrations.append(Narration(path.stem, sentences=sentences, source=path.name, ingredients=listed))
+    narrations = [Foon.narration(path, say=say) for path in paths]
     free = list(_with_free_names(narrations, output, force=force))  # all, before the first is drafted
     _write(_drafts(free, files, say, dish), output, as_json=as_json)
 
@@ -145,7 +129,7 @@ def accept(
     Their doubts are dropped. A draft is refused while a row is no unit, or is doubtful and not sure: change the row and
     empty its doubt, or delete it. It is refused, too, where it would replace a video that has other units.
     """
-    from foon_kg.language.drafting.tables import read_draft
+    from foon_kg.loaders.draft_tables import read_draft
 
     say = sayer(quiet=quiet)
     drafts = [read_draft(path) for path in paths]
@@ -173,9 +157,7 @@ def _drafted(drafts: Sequence[DraftFile]) -> list[Subgraph]:
 
 
 def _refuse_doubts(drafts: Sequence[DraftFile], sure: float, say: Say) -> None:
-    from foon_kg.language.drafting.review import unresolved
-
-    doubtful = [(draft, row) for draft in drafts for row in unresolved(draft, sure)]
+    doubtful = [(draft, row) for draft in drafts for row in draft.unresolved(sure)]
     for draft, row in doubtful:
         say(f"{draft.path}:{row.line}: {row.confidence:.2f} {'; '.join(row.doubts) or 'no unit'}")
     if doubtful:
@@ -221,27 +203,9 @@ def _drafts(
         yield from foon.drafts(narrations, dish, tell_odd=tell_odd)
 
 
-def _lines(path: Path) -> tuple[str, ...]:
-    from foon_kg.loaders.notices import UnreadableFile
-    from foon_kg.loaders.paths import decode
-    from foon_kg.model.errors import ReadError
-    from foon_kg.model.regular_files import read_bytes
-
-    try:
-        lines = decode(read_bytes(path)).removeprefix("\ufeff").splitlines()
-    except UnreadableFile as bad:
-        raise ReadError(f"{path}:{bad.line or 1}: {bad.problem.message}", hint="Save it as UTF-8 text.") from None
-    except OSError as error:
-        raise ReadError(f"{path}: cannot be opened: {error.strerror}", hint="Check the path.") from error
-    found = tuple(" ".join(line.split()) for line in lines if any(letter.isalpha() for letter in line))
-    if not found:
-        raise ReadError(f"{path}: no words in it", hint="A step a line, or running text.")
-    return found
-
-
 def _write(drafts: Iterable[Draft], folder: Path, *, as_json: bool) -> None:
     """Write each draft into ``folder``, and say how sure it is."""
-    from foon_kg.language.drafting.tables import write_draft
+    from foon_kg.loaders.draft_tables import write_draft
 
     counts = []
     for draft in drafts:

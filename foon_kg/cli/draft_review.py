@@ -13,7 +13,7 @@ from foon_kg.cli.streams import data
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.language.drafting.drafts import DraftFile
+    from foon_kg.model.drafts import DraftFile
     from foon_kg.plans.difference import VideoDifference
 
 EXAMPLES = examples(
@@ -78,18 +78,16 @@ def _one_draft(paths: Sequence[Path], recipe: str | None, output: Path | None) -
 def _show_drafts(
     paths: Sequence[Path], files: Sequence[Path] | None, *, worst_first: bool, as_json: bool, quiet: bool
 ) -> None:
+    from foon_kg.foon import Foon
     from foon_kg.formats.views.difference import difference_json, difference_view
     from foon_kg.formats.views.draft import draft_json, draft_view
-    from foon_kg.language.drafting.review import missing
-    from foon_kg.language.drafting.tables import read_draft
-    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.loaders.draft_tables import read_draft
 
-    kitchen = Kitchen.default()
     drafts = [read_draft(path) for path in paths]
     found = {one.name: one for one in _differences(drafts, files, sayer(quiet=quiet))}
     answers = []
     for draft in drafts:
-        gaps = missing(draft, kitchen)
+        gaps = Foon.from_nowhere(draft)
         change = found[draft.subgraph.name] if draft.subgraph else None
         if as_json:
             answers.append(draft_json(draft, gaps) | {"difference": difference_json(change) if change else None})

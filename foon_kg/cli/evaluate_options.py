@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 import typer
 
 from foon_kg.cli.console import Say
-from foon_kg.model.written_files import write_file
+from foon_kg.model.written_files import check_place, write_file
 
 Dish = Annotated[list[str] | None, typer.Option("--dish", metavar="TYPE", help="Only this dish type.")]
 Seed = Annotated[int, typer.Option("--seed", metavar="S", help="The same seed draws the same samples.")]
@@ -45,6 +45,19 @@ class Run:
     method: Literal["frames", "paper"] = "frames"
 
 
+_CAN_BE_WRITTEN = "{} names a file that can be written."
+
+
+def check_places(**places: Path | None) -> None:
+    """Raise UsageError where one of ``places`` cannot be written; it is said by its option, before anything is planned.
+
+    >>> check_places(html=None, scores_to=Path("sheet.csv"))
+    """
+    for name, path in places.items():
+        if path is not None:
+            check_place(path, _CAN_BE_WRITTEN.format(f"--{name.replace('_', '-')}"))
+
+
 def write_text(path: Path, text: str, option: str) -> None:
     """Write ``text`` to the file at ``path`` that ``option`` names; raises UsageError where that cannot be."""
-    write_file(path, text, f"{option} names a file that can be written.")
+    write_file(path, text, _CAN_BE_WRITTEN.format(option))

@@ -82,6 +82,7 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
 
     say = sayer(quiet=quiet)
     check_dish_types(dish or ())
+    options.check_places(scores_to=scores_to, html=html)
     before = None if compare is None else Foon.earlier_evaluation(compare, "recipes")
     sheet = None if scores is None else Foon.filled_sheet(scores)
     foon = Foon(whole_foon(files, say))

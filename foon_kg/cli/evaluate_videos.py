@@ -67,6 +67,7 @@ def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
     from foon_kg.foon import Foon
 
     check_dish_types(dish or [])
+    options.check_places(html=html)
     say = sayer(quiet=quiet)
     before = None if compare is None else Foon.earlier_evaluation(compare, "leave-one-out")
     foon = Foon(whole_foon(files, say))

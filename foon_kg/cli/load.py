@@ -171,7 +171,7 @@ app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
 
 def _refuse_drafts(paths: Sequence[Path]) -> None:
     """Refuse what nobody has reviewed: drafts, and videos that are told without states."""
-    from foon_kg.language.drafting.tables import is_draft_file
+    from foon_kg.loaders.draft_tables import is_draft_file
     from foon_kg.loaders.narrations import is_narrated
     from foon_kg.model.errors import UsageError
 

@@ -158,7 +158,8 @@ def read_text(path: Path) -> str:
     try:
         return regular_files.read_text(path)
     except (OSError, UnicodeDecodeError) as error:
-        raise ReadError(f"{path}: cannot be read: {error}", hint="Name a text file that is there.") from error
+        why = error.strerror if isinstance(error, OSError) else "it is no text in UTF-8"
+        raise ReadError(f"{path}: cannot be read: {why}", hint="Name a text file that is there.") from error
 
 
 def _of_video(name: str, tree: TaskTree) -> ReadingTree:

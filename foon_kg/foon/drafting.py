@@ -2,23 +2,64 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from foon_kg.foon.changing import Changing
+from foon_kg.foon.opened import Paths, Say, silent
 
 if TYPE_CHECKING:  # every question imports what it needs
-    from foon_kg.language.drafting.drafts import Draft
+    from foon_kg.language.drafting.review import Missing
     from foon_kg.language.recipe_drafts import RecipeDrafter
     from foon_kg.model.collected import CollectedRecipe
     from foon_kg.model.drafted import DraftedRecipe
+    from foon_kg.model.drafts import Draft, DraftFile
     from foon_kg.model.narration import Narration
 
 
 class Drafting(Changing):
     """A FOON that drafts subgraphs of videos and recipes that are told in words."""
+
+    @staticmethod
+    def narration(path: Paths, *, say: Say = silent) -> Narration:
+        """Return the recipe in the text file at ``path``, for :meth:`draft`: a step a line, or running text.
+
+        Ingredients are those below a heading, or at the top, each with its amount. ``say`` hears where the extra that
+        reads those is not installed; then the recipe lists none. Raises :class:`~foon_kg.model.errors.ReadError` where
+        nothing in the file says what to do, and :class:`~foon_kg.model.errors.UsageError` where no draft could be named
+        after it.
+
+        >>> from pathlib import Path
+        >>> from tempfile import TemporaryDirectory
+        >>> with TemporaryDirectory() as folder:
+        ...     written = Path(folder, "salad.txt").write_text("Peel the onion. Slice it.")
+        ...     [sentence.text for sentence in Foon.narration(Path(folder, "salad.txt")).sentences]
+        ['Peel the onion. Slice it.']
+        """
+        from foon_kg.language.recipe_text import read_narration
+
+        return read_narration(Path(path), say)
+
+    @staticmethod
+    def from_nowhere(draft: DraftFile) -> Sequence[Missing]:
+        """Return the inputs of a reviewed ``draft`` that no earlier row makes and no kitchen has (contract, C1 and C6).
+
+        As long as there is one, the units cannot be executed in their order.
+
+        >>> from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant
+        >>> from foon_kg.model.drafts import DraftFile, DraftRow
+        >>> unit = FunctionalUnit((Participant(ObjectNode("onion", ("chopped",))),), "serve", ())
+        >>> row = DraftRow(2, Annotation(unit), 1.0, (), "serve the onion")
+        >>> [str(one.node) for one in Foon.from_nowhere(DraftFile("salad.csv", (row,), None, ()))]
+        ['onion (chopped)']
+        """
+        from foon_kg.language.drafting.review import missing
+        from foon_kg.plans.kitchen import Kitchen
+
+        return missing(draft, Kitchen.default())
 
     def draft(self, narration: Narration, dish_type: str | None = None) -> Draft:
         """Return the draft of a ``narration``: units with a confidence (0 to 1) and doubts, and what was left out.

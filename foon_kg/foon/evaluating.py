@@ -17,6 +17,7 @@ if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.evaluation.comparison import Earlier
     from foon_kg.evaluation.figures import RecipeEvaluation
     from foon_kg.evaluation.left_out_video import LeftOutVideo
+    from foon_kg.evaluation.recorded_dishes import RecordedDish
     from foon_kg.evaluation.sampling import LeftOut
     from foon_kg.evaluation.sheet import FilledSheet
     from foon_kg.evaluation.trees import TreeFigures, TreesEvaluation
@@ -237,6 +238,19 @@ class Evaluating(Answering):
         figures = _compared(asked, methods, whole) if compared is None else compared(asked, methods)
         nothing = tuple(name for name, video in found if video is None)
         return LeaveOneOut(_key(whole), seed, tuple(figures), methods, out, nothing)
+
+    def recorded_dishes(self) -> Iterator[RecordedDish]:
+        """Yield the dishes that the videos make, each with the recipe that asks for it: what this FOON can be asked.
+
+        They come by dish type in turns, those first that show best what a plan is. The whole FOON is read.
+
+        >>> dish = next(foon.recorded_dishes())
+        >>> dish.goal.node.label, dish.recipe.dish_type, dish.texts[:2]
+        ('fruit punch', 'drinks', ('liquid apple juice', 'cube ice'))
+        """
+        from foon_kg.evaluation.recorded_dishes import recorded_dishes
+
+        return recorded_dishes(self.snapshot())
 
     @contextmanager
     def leaving_out(

@@ -9,9 +9,9 @@ from functools import cached_property
 from foon_kg.language.collection import classes_of
 from foon_kg.language.drafting.drafting import draft
 from foon_kg.language.drafting.precedents import FoonPrecedents
-from foon_kg.language.drafting.tables import write_draft
 from foon_kg.language.instructions import with_actions
 from foon_kg.language.recipe_text import ingredients
+from foon_kg.loaders.draft_tables import write_draft
 from foon_kg.model import KnownUnit
 from foon_kg.model.collected import CollectedRecipe
 from foon_kg.model.drafted import DraftedRecipe

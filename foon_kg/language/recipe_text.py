@@ -6,13 +6,19 @@ A heading tells them apart; without one, the lines at the top that begin with an
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
 from typing import NamedTuple
 
 from foon_kg.food import singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.language.recipe_lines import read_recipe_lines
-from foon_kg.model.narration import Mention
+from foon_kg.loaders.narrated import is_video_name
+from foon_kg.loaders.notices import UnreadableFile
+from foon_kg.loaders.paths import decode
+from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.model.narration import Mention, Narration, Sentence
+from foon_kg.model.regular_files import read_bytes
 
 _BULLET = r"\s*(?:[-*\u2022]\s*)?"
 _AMOUNT = re.compile(rf"{_BULLET}(?:\d+(?!\s*[.)\d]\s)|[¼½¾⅓⅔⅛]|\d)(?![.)]\s)")
@@ -25,6 +31,41 @@ class RecipeText(NamedTuple):
 
     ingredients: tuple[str, ...]
     instructions: tuple[str, ...]
+
+
+def read_narration(path: Path, say: Callable[[str], object]) -> Narration:
+    """Return the recipe in the text file at ``path``: its sentences, and the foods that it lists, with their states.
+
+    Its name is the file's without the ending. Where the extra that reads lines of ingredients is not installed, ``say``
+    hears it, and the recipe lists none. Raises :class:`~foon_kg.model.errors.ReadError` where nothing in the file says
+    what to do, and :class:`~foon_kg.model.errors.UsageError` where no video could have its name.
+    """
+    if not is_video_name(path.stem):
+        raise UsageError(f"{path}: a draft cannot be named after it", hint="Rename it: letters, digits, - and _.")
+    parts = recipe_text(_lines(path))
+    if not parts.instructions:
+        raise ReadError(f"{path}: no words in it that say what to do", hint="A step a line, or running text.")
+    try:
+        listed = ingredients(parts.ingredients)
+    except UsageError as missing:  # the instructions can be drafted all the same
+        say(f"{path}: drafted without its list of ingredients: {missing} {missing.hint}")
+        listed = ()
+    sentences = tuple(map(Sentence, parts.instructions))
+    return Narration(path.stem, sentences=sentences, source=path.name, ingredients=listed)
+
+
+def _lines(path: Path) -> tuple[str, ...]:
+    """Return the lines of the file that have words, each with single spaces; raises ReadError where there are none."""
+    try:
+        lines = decode(read_bytes(path)).removeprefix("\ufeff").splitlines()
+    except UnreadableFile as bad:
+        raise ReadError(f"{path}:{bad.line or 1}: {bad.problem.message}", hint="Save it as UTF-8 text.") from None
+    except OSError as error:
+        raise ReadError(f"{path}: cannot be opened: {error.strerror}", hint="Check the path.") from error
+    found = tuple(" ".join(line.split()) for line in lines if any(letter.isalpha() for letter in line))
+    if not found:
+        raise ReadError(f"{path}: no words in it", hint="A step a line, or running text.")
+    return found
 
 
 def recipe_text(lines: Sequence[str]) -> RecipeText:
@@ -58,7 +99,9 @@ def _begins_with_a_title(lines: Sequence[str]) -> bool:
     if len(lines) < _TITLE_AND_MORE or _names_an_amount(lines[0]) or _STEP.match(lines[0]):
         return False
     ends = [line.rstrip()[-1:] in ".!?;:" for line in (lines[0], lines[-1])]
-    least = 1 if _names_an_amount(lines[1]) else _TITLE_AND_MORE
+    # one word can be a step ("Stir"), unless what is asked for follows at once
+    is_list_next = _names_an_amount(lines[1]) or _is(lines[1], "headings of ingredients")
+    least = 1 if is_list_next else _TITLE_AND_MORE
     short = least <= len(lines[0].split()) <= _LONGEST_TITLE
     name = singular(lines[0].strip(" -*"))
     return ends == [False, True] and short and (name in tables().dishes or not tables().foods.is_listed(name))

@@ -14,13 +14,13 @@ from functools import cached_property
 from typing import Literal, Self
 
 from foon_kg.food.unknown import unknown_words
-from foon_kg.language.drafting.drafts import DraftFile, DraftRow
-from foon_kg.language.drafting.review import SURE, missing
-from foon_kg.language.drafting.tables import BETWEEN_DOUBTS, UNIT_COLUMNS
+from foon_kg.language.drafting.review import missing
 from foon_kg.loaders.csv_table import columns_of, table_rows
+from foon_kg.loaders.draft_tables import BETWEEN_DOUBTS, UNIT_COLUMNS
 from foon_kg.loaders.notices import Notice, ReadResult, Severity, UnreadableFile
 from foon_kg.loaders.video_tables import is_video_table, read_video_text
 from foon_kg.model import Annotation, FunctionalUnit, Subgraph
+from foon_kg.model.drafts import SURE, DraftFile, DraftRow
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.plans.kitchen import Kitchen
 

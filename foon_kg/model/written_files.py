@@ -43,6 +43,20 @@ def write_file(path: Path, content: str | bytes, hint: str) -> None:
         write_whole(path, content)
 
 
+def check_place(path: Path, hint: str) -> None:
+    """Raise UsageError with ``hint`` where a file at ``path`` would be refused: for what takes long before it writes.
+
+    A place that is all right now may not be so later; :func:`write_file` tells that.
+    """
+    with writing(path, hint):
+        if not path.parent.exists():
+            raise OSError(errno.ENOENT, os.strerror(errno.ENOENT))
+        if path.is_dir():
+            raise OSError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if not os.access(path if path.exists() else path.parent, os.W_OK):
+            raise OSError(errno.EACCES, os.strerror(errno.EACCES))
+
+
 def write_whole(path: Path, content: str | bytes, mode: int | None = None) -> None:
     """Write ``content`` to a file beside ``path`` and put it in its place; if that raises OSError, leave nothing of it.
 

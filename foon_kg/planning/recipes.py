@@ -131,7 +131,7 @@ class IngredientWords:
             asked = f": did you mean “{meant}”?" if meant else ", nor anything like it"
             yield f"{NO_FOOD} “{food}”{asked}"
         elif strange := self._strange(wanted.state):
-            yield f"{NO_STATE} “{wanted.state}”: did you mean “{strange}”?"
+            yield f"{NO_STATE} “{wanted.state}”{strange}"
         elif canonical(food) not in self._labels:
             said, meant = self._said_and_meant(text, food)
             if meant is not None and meant != said:
@@ -152,13 +152,15 @@ class IngredientWords:
         return canonical(food) in self._labels or any(map(listed, ends)) or any(map(listed, words))
 
     def _strange(self, state: str) -> str:
-        """Return what a state that nobody knows may mean; ``""`` of a known one, and where nothing is like it."""
+        """Return what to say of a ``state`` of which nobody knows a word, be it of foods; ``""`` of others."""
         words = state.lower().split()
         known = tables().states
         if state.lower() in self.states or any(word in self.states or word in known for word in words):
             return ""
-        meant = as_spelled(state) or state
-        return meant if meant != state.lower() else ""
+        meant = as_spelled(state)
+        if meant is None:  # a whole question, say, in which only the food was understood
+            return ", nor anything like it"
+        return f": did you mean “{meant}”?" if meant != state.lower() else ""
 
     def _food_begins(self, words: Sequence[str]) -> int:
         """Return the place of the first word of the food."""

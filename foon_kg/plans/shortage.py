@@ -55,7 +55,8 @@ def shortage(
     }
     food = next((node.label for node in missing if kitchen.is_food(node)), None)
     leave = "" if food is None else f", or leave out the {food}{_there_like(food, kitchen, alike)}"
-    lacking = dict.fromkeys(few.get(node) or _called(node, kitchen) for node in missing)
+    bought = _as_bought(missing, kitchen)
+    lacking = dict.fromkeys(few.get(node) or _called(node, kitchen) for node in bought)
     return ShortageError(
         f"the kitchen lacks {_in_a_row(lacking)} for {goal.label}",
         missing=missing,
@@ -89,11 +90,23 @@ def remedies(missing: Iterable[ObjectNode], kitchen: Kitchen | None = None) -> s
     ``kitchen`` tells what is bought from what is fetched; ``None`` is the usual one.
     """
     found: dict[str, list[str]] = {}
-    for text in dict.fromkeys(remedy(node, kitchen) for node in missing):
+    bought = _as_bought(tuple(missing), kitchen or Kitchen.default())
+    for text in dict.fromkeys(remedy(node, kitchen) for node in bought):
         what = next((what for what in _TO_DO if text.startswith(what)), "")
         found.setdefault(what, []).append(text.removeprefix(what))
     told = ", ".join(f"{what}{_in_a_row(things)}" for what, things in found.items())
     return told[:1].upper() + told[1:]
+
+
+def _as_bought(missing: Sequence[ObjectNode], kitchen: Kitchen) -> Sequence[ObjectNode]:
+    """Return ``missing`` without the foods that come in a storage which is missing, too: who buys it has both."""
+    sold = {
+        (node.label, food)
+        for node in missing
+        if not kitchen.is_food(node) and kitchen.is_storage(node.label)
+        for food in kitchen.foods_in(node)
+    }
+    return [node for node in missing if (node.container, node.label) not in sold]
 
 
 def named(missing: Sequence[ObjectNode]) -> str:

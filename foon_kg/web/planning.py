@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
+from itertools import islice
 
-from foon_kg.foon import Answer, PlanSettings, ReadKitchen
+from foon_kg.foon import Answer, Foon, PlanSettings, ReadKitchen
 from foon_kg.foon import Question as PlannerQuestion
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.web.examples import example_dishes, recorded_dishes
+from foon_kg.web.examples import example_dishes, question_of
 from foon_kg.web.foon import Served
 from foon_kg.web.plan_answer import plan_to_json
 from foon_kg.web.questions import ExamplesQuestion, PlanQuestion, Question, Reply, SuggestQuestion
@@ -45,9 +46,10 @@ class PlanningDesk:
 
         No answer becomes another by it; the first questions about like foods are answered sooner.
         """
-        for dish in recorded_dishes(self._sources.sample, _MOST_PRACTISED):
-            self._planned(dish)
-            yield dish
+        for dish in islice(Foon(self._sources.sample).recorded_dishes(), _MOST_PRACTISED):
+            question = question_of(dish)
+            self._planned(question)
+            yield question
 
     def answer(self, question: Question) -> Reply:
         """Return the reply to ``question``; what is wrong with it is one too."""
@@ -55,7 +57,7 @@ class PlanningDesk:
             if isinstance(question, PlanQuestion):
                 return self._plan(question)
             if isinstance(question, ExamplesQuestion):
-                return Reply.of({"examples": example_dishes(self._sources.sample, self._planned, question.most)})
+                return Reply.of({"examples": example_dishes(Foon(self._sources.sample), self._planned, question.most)})
             return Reply.of(self._suggest(question))
         except FoonError as error:
             return Reply.of_error(error)

@@ -13,10 +13,10 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 from foon_kg.cli.draft import accept
 from foon_kg.language import drafting
-from foon_kg.language.drafting.review import SURE
-from foon_kg.language.drafting.tables import read_draft
+from foon_kg.loaders.draft_tables import read_draft
 from foon_kg.loaders.text_writer import write_text
 from foon_kg.loaders.video_tables import read_video_text
+from foon_kg.model.drafts import SURE
 from foon_kg.store.graph import Connection, load
 
 

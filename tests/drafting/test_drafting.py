@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 
 from foon_kg.language.drafting.calibration import ACTIONS, probability
 from foon_kg.language.drafting.drafting import plain_name
-from foon_kg.language.drafting.tables import read_draft, write_draft
 from foon_kg.language.drafting.told_states import done
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.language.reviewing import Review
+from foon_kg.loaders.draft_tables import read_draft, write_draft
 from foon_kg.model import ObjectNode
 from foon_kg.model.narration import Mention, NarratedAction, Place
 

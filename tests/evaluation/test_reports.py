@@ -135,3 +135,13 @@ def test_hostile_names_stay_words_and_the_worst_are_those_with_a_tree():
     assert "<img" not in html
     assert "&lt;b&gt;no&lt;/b&gt;" in html
     assert worst((failed, replace(failed, error=""))) == ()
+
+
+@pytest.mark.parametrize("asked", [["recipes", "--html"], ["recipes", "--scores-to"], ["leave-one-out", "--html"]])
+def test_a_place_that_cannot_be_written_is_refused_before_anything_is_planned(tmp_path, asked):
+    # no FOON is there either: that is told first where planning had begun
+    places = (str(tmp_path / "not there" / "report"), "--files", str(tmp_path / "no foon"))
+    done = CliRunner().invoke(app, ["evaluate", *asked, *places])
+    assert done.exit_code == 2
+    assert "cannot be written: No such file or directory" in done.stderr
+    assert f"{asked[-1]} names a file that can be written" in done.stderr

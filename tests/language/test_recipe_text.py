@@ -35,6 +35,7 @@ def test_headings_tell_the_parts_apart():
 def test_a_title_is_neither_an_ingredient_nor_a_step():
     assert recipe_text(("Sunday pancakes", "2 eggs", *STEPS)) == (("2 eggs",), STEPS)
     assert recipe_text(("Roast chicken with potatoes", *STEPS)) == ((), STEPS)
+    assert recipe_text(("Pancakes", "Ingredients", "2 eggs", "Method", *STEPS)) == (("2 eggs",), STEPS)
     for listed in (("sea salt", "2 eggs", *STEPS), ("salt", *STEPS), ("Chop onion", "Fry it")):
         assert listed[0] in (*recipe_text(listed).ingredients, *recipe_text(listed).instructions)
 

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.language.drafting.tables import read_draft
 from foon_kg.language.reviewing import Review
+from foon_kg.loaders.draft_tables import read_draft
 from foon_kg.model.errors import ReadError, UsageError
 
 HEADER = "start,end,motion,inputs,outputs,dish,confidence,doubt,said,source\n"

@@ -22,7 +22,7 @@ from foon_kg.planning.planner import Planner, plan
 from foon_kg.planning.references import References
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.result import PlanFailure
-from foon_kg.plans.shortage import ShortageError, nearest_first, remedy
+from foon_kg.plans.shortage import ShortageError, nearest_first, remedies, remedy
 from foon_kg.plans.stock import StockedKitchen
 from foon_kg.search import enumerate_paths, retrieve, with_gaps_of
 from foon_kg.store.graph import Connection, Neo4jGraph, load
@@ -215,6 +215,12 @@ def test_what_is_missing_is_told_before_any_search_and_of_all_that_are_tried_one
 )
 def test_every_missing_leaf_has_a_remedy(leaf, what):
     assert remedy(node(leaf)) == what
+
+
+def test_what_comes_in_its_storage_is_bought_once():
+    sold = [node(leaf) for leaf in ("shaker{salt}", "salt(granulated)@in shaker", "onion(whole)", "salt(granulated)")]
+    assert remedies(sold[:3]) == "Buy salt (shaker) and onion"
+    assert remedies(sold) == "Buy salt (shaker), onion and salt"
 
 
 def test_the_nearest_leaf_is_the_one_with_the_fewest_units_between():

@@ -24,21 +24,12 @@ VALUES = {
 ALLOWED = {
     "planning.batch": {"cores"},
     "planning.processes": None,  # how processes begin and end: nothing of a FOON
-    "store.vocabulary": {"states_made"},
-    "store.graph.free_cypher": {"Answer"},  # what Foon.cypher returns
     "validation": None,  # the judge: it knows nothing of planning, and is asked of trees of anybody
 }
 """Names of other rooms that anybody at the door may use; ``None``: all."""
 
 ROOMS_OF_THEIR_OWN = {
     "cli.evaluate_videos": "evaluation.video_line",  # a line of the file of answers
-    "web.examples": "evaluation.left_out_video",
-    "cli.draft": (  # Foon.drafts makes them: here are their files, what people decide of them, and recipes as texts
-        "language.drafting.tables",
-        "language.drafting.review",
-        "language.recipe_text",
-    ),
-    "cli.load": "language.drafting.tables",
     "web.plan_answer": "language.plain_lines",
 }
 """Which modules at the door (all that begin so) have a room besides, or several."""

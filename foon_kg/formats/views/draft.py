@@ -8,9 +8,9 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from foon_kg.formats.views.words import ASIDE, in_a_row, motion_words, node_words
-from foon_kg.language.drafting.drafts import DraftFile, DraftRow
-from foon_kg.language.drafting.review import SURE, Missing
+from foon_kg.language.drafting.review import Missing
 from foon_kg.model import FunctionalUnit, ObjectNode
+from foon_kg.model.drafts import SURE, DraftFile, DraftRow
 
 _LIKELY = 0.5
 """From this confidence on a row is more likely right than not, and is shown green."""

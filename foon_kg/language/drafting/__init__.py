@@ -5,6 +5,6 @@ every object is, with ``precedents`` of the FOON for whatever the narration leav
 """
 
 from foon_kg.language.drafting.drafting import draft
-from foon_kg.language.drafting.drafts import Draft, DraftUnit
+from foon_kg.model.drafts import Draft, DraftUnit
 
 __all__ = ["Draft", "DraftUnit", "draft"]

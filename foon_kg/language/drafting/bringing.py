@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.food import motions
-from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.language.drafting.evidence import Evidence
 from foon_kg.language.drafting.making import Maker
 from foon_kg.language.drafting.precedents import Precedents
 from foon_kg.language.drafting.scene import filled
 from foon_kg.language.drafting.told_states import done, with_state
 from foon_kg.model import ObjectNode
+from foon_kg.model.drafts import DraftUnit
 from foon_kg.model.narration import Mention, NarratedAction
 
 

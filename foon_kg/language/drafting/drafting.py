@@ -11,7 +11,6 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.words import words
 from foon_kg.language.drafting.appliances import Appliances, is_appliance, source_of
 from foon_kg.language.drafting.calibration import probability
-from foon_kg.language.drafting.drafts import Draft, DraftUnit, LeftOut
 from foon_kg.language.drafting.hands import brings_back, takes
 from foon_kg.language.drafting.larder import Larder
 from foon_kg.language.drafting.naming import rename, renamed
@@ -23,6 +22,7 @@ from foon_kg.language.drafting.told_states import done
 from foon_kg.language.drafting.units import UnitDrafter
 from foon_kg.language.drafting.verbs import Reading
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, Participant
+from foon_kg.model.drafts import Draft, DraftUnit, LeftOut
 from foon_kg.model.names import canonical
 from foon_kg.model.narration import Mention, NarratedAction, Narration, Place
 

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from math import prod
 
-from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.model import FunctionalUnit, Participant
+from foon_kg.model.drafts import DraftUnit
 
 SOMETHING = 0.6
 """A share below this is worth a word."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from foon_kg.food import motions, tables
-from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.language.drafting.evidence import IMPLIED, UNSEEN, Evidence
 from foon_kg.language.drafting.making import TURN_OFF, TURN_ON, Maker
 from foon_kg.language.drafting.nodes import listed
@@ -13,6 +12,7 @@ from foon_kg.language.drafting.precedents import Precedents
 from foon_kg.language.drafting.scene import EMPTY
 from foon_kg.language.drafting.told_states import before_it, done, with_state
 from foon_kg.model import ObjectNode
+from foon_kg.model.drafts import DraftUnit
 from foon_kg.model.narration import NarratedAction
 
 _OPENS, _CLOSES = frozenset({"open"}), frozenset({"close"})

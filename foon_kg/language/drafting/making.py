@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Motion
-from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.language.drafting.evidence import IMPLIED, Evidence
 from foon_kg.language.drafting.nodes import NodeDrafter
 from foon_kg.language.drafting.precedents import FoonPrecedents
 from foon_kg.language.drafting.scene import Scene, filled
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Timing
+from foon_kg.model.drafts import DraftUnit
 from foon_kg.model.narration import NarratedAction
 
 _READY = word_list("is made ready for the oven")

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.food import tables
-from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.language.drafting.evidence import IMPLIED, SOMETHING, Evidence
 from foon_kg.language.drafting.making import Maker
 from foon_kg.language.drafting.precedents import Precedents
 from foon_kg.language.drafting.scene import MIXTURE, filled
 from foon_kg.model import ObjectNode
+from foon_kg.model.drafts import DraftUnit
 from foon_kg.model.narration import Mention, NarratedAction
 
 _KEEPS = frozenset({"storage", "place"})

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from foon_kg.language.drafting.drafts import DraftUnit, LeftOut
 from foon_kg.language.drafting.scene import Scene
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant
+from foon_kg.model.drafts import DraftUnit, LeftOut
 
 Row = DraftUnit | LeftOut
 

@@ -1,20 +1,13 @@
-"""What a person should look at before a draft is accepted: doubtful rows, no units, objects from nowhere."""
+"""What a draft takes from nowhere: inputs that no earlier row makes, and no kitchen has."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from foon_kg.language.drafting.drafts import DraftFile, DraftRow
 from foon_kg.model import ObjectNode
+from foon_kg.model.drafts import DraftFile
 from foon_kg.plans.kitchen import Kitchen
-
-SURE = 0.1
-"""Doubts below this must be resolved before a draft is accepted: of units hardly one in ten of which is all right.
-
-The confidence asks for every state, too, which few drafts have all right: nine in ten units from verbs and nouns have
-the right motion and main object, and a quarter every state. A person decides about the least sure seventh.
-"""
 
 
 @dataclass(frozen=True)
@@ -24,14 +17,6 @@ class Missing:
     line: int
     node: ObjectNode
     why: str
-
-
-def unresolved(draft: DraftFile, sure: float = SURE) -> tuple[DraftRow, ...]:
-    """Return the rows of ``draft`` with doubts and less than ``sure`` confidence (0 to 1), and empty ones.
-
-    Rows that are no units are among them.
-    """
-    return tuple(row for row in draft.rows if (row.confidence < sure if row.doubts else row.annotation is None))
 
 
 def missing(draft: DraftFile, kitchen: Kitchen) -> tuple[Missing, ...]:

@@ -9,7 +9,6 @@ from functools import cached_property
 from foon_kg.food import motions, tables
 from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.bringing import Bringing
-from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.language.drafting.evidence import IMPLIED, Evidence, as_one
 from foon_kg.language.drafting.handling import Handling
 from foon_kg.language.drafting.making import Maker, OfNodes
@@ -17,6 +16,7 @@ from foon_kg.language.drafting.mixing import Mixing
 from foon_kg.language.drafting.precedents import Precedents
 from foon_kg.language.drafting.scene import emptied, filled
 from foon_kg.model import Annotation, ObjectNode, Timing
+from foon_kg.model.drafts import DraftUnit
 from foon_kg.model.narration import Mention, NarratedAction, Place
 
 COVERED = word_list("covers with")

@@ -10,7 +10,6 @@ from itertools import chain, islice
 from foon_kg.formats.exports.phrases import listed, motion_said
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.model import KnownUnit, ObjectNode, Sighting
-from foon_kg.store.vocabulary import states_made
 from foon_kg.web.explore.network import Network, Thing, ThingKind
 from foon_kg.web.words import seen_at
 
@@ -119,12 +118,14 @@ class Telling:
 
     def _motion(self, thing: Thing) -> About:
         is_utensil = self.network.kitchen.is_utensil
-        makes, foods, tools = Counter[str](), Counter[str](), Counter[str]()
+        foods, tools, motions = Counter[str](), Counter[str](), set[str]()
         for known in self.network.done_by(thing):
-            makes.update(states_made(known.unit, is_utensil))
+            motions.add(known.unit.motion)
             labels = {node.label for node in known.unit.input_nodes}
             foods.update(label for label in labels if not is_utensil(label))
             tools.update(label for label in labels if is_utensil(label))
+        made = (one for one in self.network.snapshot.vocabulary().motions if one.motion in motions)
+        makes = Counter({one.state: one.count for one in made})
         facts = (Fact("Makes", _counted(makes)), Fact("Done to", _counted(foods)), Fact("With", _counted(tools)))
         return About(f"A motion of {_count(thing.steps, 'step')}.", _with_words(facts))
 

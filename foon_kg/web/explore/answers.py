@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from neo4j.graph import Node, Path, Relationship
 
-from foon_kg.store.graph.free_cypher import Answer
 from foon_kg.web.explore.network import Network, Thing
+
+if TYPE_CHECKING:
+    from foon_kg.store.graph.free_cypher import Answer
 
 MOST_DRAWN = 150
 """So many nodes of an answer are drawn."""

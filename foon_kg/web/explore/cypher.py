@@ -5,12 +5,14 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from foon_kg.foon import Foon
 from foon_kg.model.errors import GraphError, UsageError, WriteRefused
-from foon_kg.store.graph.free_cypher import Answer
 from foon_kg.web.questions import BusyError, TooLongError, UnknownError
+
+if TYPE_CHECKING:
+    from foon_kg.store.graph.free_cypher import Answer
 
 SECONDS = 10.0
 """How long a question may take."""

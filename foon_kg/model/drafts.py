@@ -1,10 +1,21 @@
-"""A draft: units with how sure each is and what is doubtful about it, and what of the narration gave no unit."""
+"""A draft: units with how sure each is and what is doubtful about it, and what of the narration gave no unit.
+
+Here are the values. :mod:`foon_kg.language.drafting` makes them, :mod:`foon_kg.loaders.draft_tables` reads and writes
+their files, and :mod:`foon_kg.model.drafted` has those of whole collections, which nobody reviews.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 
 from foon_kg.model import Annotation, Subgraph, Timing
+
+SURE = 0.1
+"""Doubts below this must be resolved before a draft is accepted: of units hardly one in ten of which is all right.
+
+The confidence asks for every state, too, which few drafts have all right: nine in ten units from verbs and nouns have
+the right motion and main object, and a quarter every state. A person decides about the least sure seventh.
+"""
 
 
 @dataclass(frozen=True)
@@ -80,3 +91,12 @@ class DraftFile:
     rows: tuple[DraftRow, ...]
     subgraph: Subgraph | None
     notices: tuple[str, ...]
+
+    def unresolved(self, sure: float = SURE) -> tuple[DraftRow, ...]:
+        """Return the rows with doubts and less than ``sure`` confidence (0 to 1), and those that are no units.
+
+        >>> row = DraftRow(2, None, 0.0, ("there is no verb in it",), "“Pancakes”")
+        >>> [one.line for one in DraftFile("pancakes.csv", (row,), None, ()).unresolved()]
+        [2]
+        """
+        return tuple(row for row in self.rows if (row.confidence < sure if row.doubts else row.annotation is None))

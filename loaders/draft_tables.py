@@ -13,13 +13,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from foon_kg.language.drafting.drafts import Draft, DraftFile, DraftRow, DraftUnit, LeftOut
 from foon_kg.loaders.csv_table import TableRow, columns_of, table_rows
 from foon_kg.loaders.notices import ReadResult, Severity, UnreadableFile
 from foon_kg.loaders.paths import decode
 from foon_kg.loaders.times import write_timing
 from foon_kg.loaders.video_tables import is_video_table, read_thing, read_video_text
 from foon_kg.model import Annotation, ObjectNode, Participant, Timing
+from foon_kg.model.drafts import Draft, DraftFile, DraftRow, DraftUnit, LeftOut
 from foon_kg.model.errors import ReadError
 from foon_kg.model.regular_files import read_bytes
 
