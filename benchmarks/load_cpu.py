@@ -1,10 +1,12 @@
 """What a load into the local server costs: CPU seconds of this program, and of Java by what its threads are for.
 
     FOON_KG_HOME=FOLDER python benchmarks/load_cpu.py [--units N] [--transaction N]
+    FOON_KG_HOME=FOLDER python benchmarks/load_cpu.py --units N --files FILES
 
 Needs the public subgraphs beside the checkout, and Linux; the FOON (see big_foon.py) comes on top of what the server of
 FOON_KG_HOME holds: for a load into a fresh graph take a new folder. Elapsed time means something only where nothing
-else runs; CPU seconds grow less with the load of the machine.
+else runs; CPU seconds grow less with the load of the machine. With ``--files`` the FOON is written to a folder (empty
+or not there yet), and a process of its own reads it (``foon load foon``): its memory is that of the load alone.
 """
 
 from __future__ import annotations
@@ -13,13 +15,18 @@ import argparse
 import gc
 import os
 import resource
+import subprocess
+import sys
 import time
 from collections import Counter
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 
-from big_foon import big_foon, real_subgraphs
+from big_foon import big_foon, cuisines, real_subgraphs
 
+from foon_kg.loaders import write_text
+from foon_kg.model import Subgraph
 from foon_kg.store.graph import Connection, load
 from foon_kg.store.graph.loading import UNITS_PER_TRANSACTION
 from foon_kg.store.server import connection_settings
@@ -43,24 +50,58 @@ def spent(process: int) -> Counter[str]:
     return found
 
 
+def load_here(subgraphs: Sequence[Subgraph], transaction: int) -> tuple[float, float]:
+    """Load from memory; return the CPU seconds of this program for it, and how many MB it has had at most."""
+    cpu = time.process_time()
+    with Connection(connection_settings()) as connection:
+        load(connection, subgraphs, units_per_transaction=transaction)
+    return time.process_time() - cpu, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def load_files(folder: Path) -> tuple[float, float]:
+    """Load ``folder`` by a process of its own; return what :func:`load_here` does, of that process."""
+    started = subprocess.Popen([sys.executable, "-m", "foon_kg", "load", "foon", str(folder)])
+    _, status, used = os.wait4(started.pid, 0)
+    started.returncode = os.waitstatus_to_exitcode(status)
+    if started.returncode:
+        sys.exit(started.returncode)
+    return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
+
+
+def write_files(folder: Path, units: int) -> None:
+    """Write a FOON of about ``units`` units, each video as a file."""
+    folder.mkdir(parents=True, exist_ok=True)
+    if any(folder.iterdir()):
+        sys.exit(f"{folder} is not empty")
+    for subgraph in cuisines(real_subgraphs(), units):
+        (folder / f"{subgraph.name}.txt").write_text(write_text(subgraph), encoding="utf-8")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--units", type=int, default=20_000)
     parser.add_argument("--transaction", type=int, default=UNITS_PER_TRANSACTION, help="how many units one has")
+    parser.add_argument("--files", type=Path, help="write the FOON here, and load it by another process")
     options = parser.parse_args()
     gc.set_threshold(1_000_000, 50, 100)  # as every command of foon has it
-    settings, subgraphs = connection_settings(), big_foon(real_subgraphs(), options.units)
+    connection_settings()
     last = home().recall()
     if last is None or last.pid is None:
         parser.error("NEO4J_URI names another server than the local one")
-    before, cpu, started = spent(last.pid), time.process_time(), time.perf_counter()
-    with Connection(settings) as connection:
-        load(connection, subgraphs, units_per_transaction=options.transaction)
-    took, own = time.perf_counter() - started, time.process_time() - cpu
-    now = spent(last.pid)
+    subgraphs = []
+    if options.files:
+        write_files(options.files, options.units)
+    else:
+        subgraphs = big_foon(real_subgraphs(), options.units)
+    before, started = spent(last.pid), time.perf_counter()
+    if options.files:
+        own, most = load_files(options.files)
+    else:
+        own, most = load_here(subgraphs, options.transaction)
+    took, now = time.perf_counter() - started, spent(last.pid)
     now.subtract(before)
-    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-    print(f"{options.units:,} units in {took:.1f} s; this program {own:.1f} s of CPU, {most:,.0f} MB with the FOON")
+    alone = "alone" if options.files else "with the FOON"
+    print(f"{options.units:,} units in {took:.1f} s; the program {own:.1f} s of CPU, {most:,.0f} MB {alone}")
     print(f"server {now.total():.1f} s of CPU: " + ", ".join(f"{kind} {now[kind]:.1f}" for kind in sorted(now)))
 
 

@@ -5,25 +5,34 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import pickle
+import tempfile
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import astuple, dataclass, field
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import IO, TYPE_CHECKING, Self
 
 from foon_kg.food.unknown import UnknownWord, WordKind, by_one_another, unknown_words
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity
 from foon_kg.model import ObjectNode, kept
 from foon_kg.model.json_text import compact_json
 from foon_kg.model.regular_files import read_bytes
+from foon_kg.model.written_files import writing
 
 if TYPE_CHECKING:
     from foon_kg.loaders.notices import ReadResult
-    from foon_kg.model import FunctionalUnit
+    from foon_kg.model import FunctionalUnit, Subgraph
 
 Where = tuple[str, int | None]
 """A file, and a line of it where that is known."""
+
+MOST_HELD = 10_000
+"""So many units of files that were read are in memory until they are loaded, some 3 kB each."""
+
+_TEMPORARY = "Let TMPDIR name a folder that can be written."
 
 _FOLDER = "files"
 _FORM = "4"
@@ -95,6 +104,53 @@ class Gathered:
         told = by_one_another(self.having | dict.fromkeys(self.own, self.files + 1))
         words = dict(sorted(((told[word], place) for word, place in self.words.items()), key=lambda one: one[0]))
         return FilesRead(self.files, self.bad, self.units, self.contents, tuple(self.notices), words)
+
+
+class Spool:
+    """Subgraphs between being read and being loaded, in their order: beyond ``most`` units in a temporary file.
+
+    So no more than a part of a large FOON is in memory. To read it from there costs a sixth of parsing it once more.
+    """
+
+    def __init__(self, most: int = MOST_HELD) -> None:
+        self._most = most
+        self._units = 0
+        self._held: list[Subgraph] = []
+        self._file: IO[bytes] | None = None
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing was added."""
+        return not self._held and self._file is None
+
+    def add(self, result: ReadResult) -> None:
+        """Add the subgraph of a ``result``, if it has one; raises FoonError where the temporary files have no room."""
+        if result.subgraph is None:
+            return
+        if self._units < self._most:
+            self._held.append(result.subgraph)
+            self._units += len(result.subgraph.annotations)
+            return
+        with writing(Path(tempfile.gettempdir()), _TEMPORARY):
+            if self._file is None:
+                self._file = tempfile.TemporaryFile(prefix="foon-kg-")  # noqa: SIM115 - closed with the spool
+            pickle.dump(result.subgraph, self._file, pickle.HIGHEST_PROTOCOL)
+
+    def __iter__(self) -> Iterator[Subgraph]:
+        """Return all that was added."""
+        yield from self._held
+        if self._file is not None:
+            self._file.seek(0)
+            with suppress(EOFError):
+                while True:
+                    yield pickle.load(self._file)  # noqa: S301 - this program wrote it, and nobody else finds it
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._file is not None:
+            self._file.close()
 
 
 def remembered(files: Sequence[Path]) -> FilesRead | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from io import StringIO
 from pathlib import Path
@@ -29,7 +29,7 @@ from foon_kg.cli.loading import (
 from foon_kg.model.written_files import write_file
 
 if TYPE_CHECKING:
-    from foon_kg.cli.files_read import FilesRead
+    from foon_kg.cli.files_read import FilesRead, Spool
     from foon_kg.loaders import Notice, ReadResult
     from foon_kg.model import Subgraph
 
@@ -89,6 +89,7 @@ def foon(
     goes on with what it holds until all is ready. No more than a part of the files is in memory. Collections of recipes
     come with it by --recipes, as foon load recipes brings them.
     """
+    from foon_kg.cli.files_read import Spool
     from foon_kg.loaders.found import foon_files
 
     _refuse_together(offline=offline, replace=replace, check=check, recipes=bool(recipes))
@@ -97,10 +98,11 @@ def foon(
         counts = _import(files, report, bad_tolerance, recipes or [], replace=replace, quiet=quiet)
         show_counts(counts, as_json=as_json)
         return
-    read, results = _read(files, anew=check)
     say = sayer(quiet=quiet)
-    _tell(read, report, bad_tolerance, say, _played(results, say) if check and results else ())
-    loaded = None if dry_run else _stored(files, read, results, quiet=quiet)
+    with Spool() as spool:
+        read, played = _played_all(files, spool, say) if check else (_read(files, spool), ())
+        _tell(read, report, bad_tolerance, say, played)
+        loaded = None if dry_run else _stored(files, read, spool, quiet=quiet)
     with load_recipes.beside(recipes or [], bad_tolerance, say, quiet=quiet) as (_, counts):  # of a dry run
         show_counts(_counts(read, loaded) | counts, as_json=as_json)
 
@@ -200,7 +202,9 @@ def _bring(
 
     read, say = FilesRead.of(results), sayer(quiet=quiet)
     _tell(read, report, bad_tolerance, say, _played(results, say) if check else ())
-    show_counts(_counts(read, None if dry_run else _load(results, quiet=quiet)), as_json=as_json)
+    subgraphs = [result.subgraph for result in results if result.subgraph is not None]
+    loaded = None if dry_run else _load(subgraphs, len(subgraphs), quiet=quiet)
+    show_counts(_counts(read, loaded), as_json=as_json)
 
 
 def _played(results: Sequence[ReadResult], say: Say) -> tuple[Notice, ...]:
@@ -209,29 +213,48 @@ def _played(results: Sequence[ReadResult], say: Say) -> tuple[Notice, ...]:
     return played(results, say)
 
 
-def _read(files: Sequence[Path], *, anew: bool) -> tuple[FilesRead, list[ReadResult] | None]:
-    """Return what is in ``files``, and their units where they had to be parsed: ``anew``, or since they changed."""
-    from foon_kg.cli.files_read import FilesRead, remember, remembered
-
-    if not anew and (known := remembered(files)) is not None:
-        return known, None
-    results = _parsed(files)
-    read = FilesRead.of(results)
-    remember(files, read)
-    return read, results
-
-
-def _stored(files: Sequence[Path], read: FilesRead, results: list[ReadResult] | None, *, quiet: bool) -> Counts:
-    """Bring ``files`` into the graph; those that were parsed before are parsed again only if it lacks something."""
-    if results is not None:
-        return _load(results, quiet=quiet)
-    return _unchanged(read, quiet=quiet) or _load(_parsed(files), quiet=quiet)
-
-
-def _parsed(files: Sequence[Path]) -> list[ReadResult]:
+def _played_all(files: Sequence[Path], spool: Spool, say: Say) -> tuple[FilesRead, tuple[Notice, ...]]:
+    """Return what is in ``files``, which come into ``spool``, and what playing them tells."""
+    from foon_kg.cli.files_read import FilesRead, remember
     from foon_kg.loaders import read_paths
 
-    return list(read_paths(files))
+    results = list(read_paths(files))
+    for result in results:
+        spool.add(result)
+    read = FilesRead.of(results)
+    remember(files, read)
+    return read, _played(results, say)
+
+
+def _read(files: Sequence[Path], spool: Spool) -> FilesRead:
+    """Return what is in ``files``. Those that were not read before as they are come into ``spool``."""
+    from foon_kg.cli.files_read import Gathered, remember, remembered
+
+    if (known := remembered(files)) is not None:
+        return known
+    from foon_kg.loaders import read_paths
+
+    gathered = Gathered()
+    for result in read_paths(files):
+        gathered.add(result)
+        spool.add(result)
+    read = gathered.read()
+    remember(files, read)
+    return read
+
+
+def _stored(files: Sequence[Path], read: FilesRead, spool: Spool, *, quiet: bool) -> Counts:
+    """Bring ``files`` into the graph; those that were parsed before are parsed again only if it lacks something."""
+    if not spool.is_empty or not read.contents:
+        return _load(spool, len(read.contents), quiet=quiet)
+    return _unchanged(read, quiet=quiet) or _load(_parsed(files), len(read.contents), quiet=quiet)
+
+
+def _parsed(files: Sequence[Path]) -> Iterator[Subgraph]:
+    """Yield the subgraphs of ``files``, parsed as they are taken."""
+    from foon_kg.loaders import read_paths
+
+    yield from (result.subgraph for result in read_paths(files) if result.subgraph is not None)
 
 
 def _tell(
@@ -264,16 +287,12 @@ def _unchanged(read: FilesRead, *, quiet: bool) -> Counts | None:
     return Counts(unchanged=len(read.contents)) if there else None
 
 
-def _load(results: Sequence[ReadResult], *, quiet: bool) -> Counts:
-    """Load with a progress bar, which only a terminal shows."""
+def _load(subgraphs: Iterable[Subgraph], count: int, *, quiet: bool) -> Counts:
+    """Load so many ``subgraphs`` with a progress bar, which only a terminal shows."""
     from foon_kg.cli.runs import counting
     from foon_kg.foon import Foon
 
-    subgraphs = [result.subgraph for result in results if result.subgraph is not None]
-    with (
-        Foon.connect(say=sayer(quiet=quiet)) as foon,
-        counting("Loading videos", len(subgraphs), quiet=quiet) as advance,
-    ):
+    with Foon.connect(say=sayer(quiet=quiet)) as foon, counting("Loading videos", count, quiet=quiet) as advance:
         loaded = foon.store(subgraphs, stored=lambda report: advance(len(report)))
     return Counts(len(loaded.inserted), len(loaded.unchanged), len(loaded.replaced))
 

@@ -70,21 +70,24 @@ class Changing(Collected):
         return self.store([result.subgraph for result in results if result.subgraph is not None])
 
     def store(
-        self, subgraphs: Sequence[Subgraph], stored: Callable[[LoadReport], None] = silent, *, at_once: bool = False
+        self, subgraphs: Iterable[Subgraph], stored: Callable[[LoadReport], None] = silent, *, at_once: bool = False
     ) -> LoadReport:
         """Bring subgraphs that were read already into the graph, as :meth:`load` does.
 
         ``stored`` is told of each part of them that is in the graph; ``at_once`` there is one part only, all or none.
+        Else only a part of an iterator is in memory at a time.
 
         >>> len(foon.store(foon.snapshot().subgraphs[:2]).unchanged)
         2
         """
         connection = self._connected("to load files")
         from foon_kg.store.graph import load
-        from foon_kg.store.graph.loading import UNITS_PER_TRANSACTION
 
-        units = 1 + sum(len(subgraph.annotations) for subgraph in subgraphs) if at_once else UNITS_PER_TRANSACTION
-        return load(connection, subgraphs, stored=stored, units_per_transaction=units)
+        if not at_once:
+            return load(connection, subgraphs, stored=stored)
+        all_of_them = list(subgraphs)
+        units = 1 + sum(len(subgraph.annotations) for subgraph in all_of_them)
+        return load(connection, all_of_them, stored=stored, units_per_transaction=units)
 
     def holds(self, contents: Mapping[str, str]) -> bool:
         """Return whether the graph has videos of these names and ``contents`` (hashes), written as this program would.

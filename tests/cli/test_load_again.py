@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+import tempfile
 
 import pytest
 from kitchen_stories import SALAD, subgraph
 from typer.testing import CliRunner
 
 from foon_kg.cli import app, files_read
-from foon_kg.loaders import paths, write_text
+from foon_kg.foon import Foon
+from foon_kg.loaders import ReadResult, paths, write_text
+from foon_kg.model.errors import UsageError
 
 GOOD = write_text(subgraph("good", "salad", *SALAD))
 ODD = "O\tonion\t0\nO\tonion\t1\n//\n" + GOOD.partition("//\n")[2].replace("onion", "qwxyz")
@@ -119,3 +122,28 @@ def test_what_was_kept_of_other_files_or_by_another_program_is_none(folder, tmp_
         (tmp_path / "own.toml").write_text("[kinds.vegetable]\nwords = ['qwxyz']\n", encoding="utf-8")
         monkeypatch.setenv("FOON_KG_FOODS", str(tmp_path / "own.toml"))
     assert files_read.remembered(sorted(folder.iterdir())) is None
+
+
+@pytest.mark.neo4j
+@pytest.mark.parametrize("most", [0, 1])
+def test_files_of_many_units_are_loaded_from_a_temporary_file(database, folder, parsed, most, monkeypatch):
+    monkeypatch.setattr(files_read.Spool.__init__, "__defaults__", (most,))
+    assert (counts(load(folder, "--bad-tolerance", 1)), parsed) == ((2, 0, 0), ["good.txt", "odd.txt"])
+    with Foon.connect() as foon:
+        assert {one.name for one in foon.snapshot().subgraphs} == {"good", "odd"}
+
+
+def test_a_spool_gives_back_what_came_in_its_order_from_memory_and_file():
+    results = [ReadResult(name, subgraph(name, "salad", *SALAD)) for name in ("c", "a", "b")]
+    with files_read.Spool(most=1) as spool:
+        assert spool.is_empty
+        for result in (*results, ReadResult("bad", None)):
+            spool.add(result)
+        assert not spool.is_empty
+        assert [list(spool), list(spool)] == [[result.subgraph for result in results]] * 2
+
+
+def test_a_full_folder_of_temporary_files_is_told(monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", "/dev/full")
+    with files_read.Spool(most=0) as spool, pytest.raises(UsageError, match="cannot be written"):
+        spool.add(ReadResult("a", subgraph("a", "salad", *SALAD)))

@@ -142,6 +142,31 @@ def test_the_batches_make_no_difference(connection):
     assert whole_graph(connection) == at_once
 
 
+def test_an_iterator_is_loaded_part_by_part_to_the_same_graph(connection):
+    videos = [other, salad, subgraph("third", "salad", *SALAD[:5])]
+    load(connection, videos)
+    at_once = whole_graph(connection)
+    empty(connection)
+    told, taken = [], []
+
+    def source():
+        for video in [*videos, *videos]:
+            taken.append(video.name)
+            yield video
+
+    load(connection, [salad])
+    report = load(connection, source(), stored=lambda part: told.append((part, len(taken))), units_per_transaction=1)
+    assert (set(report.inserted), report.unchanged) == ({"other", "third"}, ("salad",))
+    assert next(count for part, count in told if part.inserted) < len(videos) * 2, "all was in memory"
+    assert whole_graph(connection) == at_once
+
+
+def test_two_subgraphs_of_one_name_are_refused_in_an_iterator_and_those_before_stay(connection):
+    with pytest.raises(ReadError, match="two different subgraphs are called “salad”"):
+        load(connection, iter([other, salad, other, shorter]), units_per_transaction=1)
+    assert {name for (name,) in ask(connection, "MATCH (v:Video) RETURN v.name")} <= {"other", "salad"}
+
+
 def test_two_subgraphs_of_one_name_are_refused_and_nothing_is_loaded(connection):
     load(connection, [other])
     with pytest.raises(ReadError, match="two different subgraphs are called “salad”"):

@@ -6,6 +6,7 @@ import uuid
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import chain
 
 import neo4j
 
@@ -20,7 +21,7 @@ from foon_kg.store.graph.schema import check_readable, kitchen_key, prepare_for_
 from foon_kg.store.graph.statements import VIDEO_CONTENTS, VIDEO_NAMES, ask
 from foon_kg.store.graph.taught import Ahead, Taught
 from foon_kg.store.graph.writing import Writer
-from foon_kg.store.snapshot import distinct_by_name
+from foon_kg.store.snapshot import distinct_by_name, two_of_one_name
 
 UNITS_PER_TRANSACTION = 2_500
 """Bounds the memory of the database for one transaction; the 111 public subgraphs are one."""
@@ -64,25 +65,67 @@ def load(
 ) -> LoadReport:
     """Bring the graph of ``connection`` to have ``subgraphs``, in few transactions; a known name is replaced.
 
-    ``kitchen`` is the usual one for ``None``; a transaction has so many units (``units_per_transaction``). ``stored``
-    is told, first, what is there already, and after each transaction which videos are safe from then on. Raises
+    ``kitchen`` is the usual one for ``None``; a transaction has so many units (``units_per_transaction``). Of an
+    iterator a few transactions' subgraphs are in memory at a time. ``stored`` is told, first (of an iterator: of each
+    part), what is there already, and after each transaction which videos are safe from then on. Raises
     :class:`~foon_kg.model.errors.ReadError` when two subgraphs of one name differ, GraphError when the database fails;
     what was reported as stored stays.
     """
-    kitchen, wanted = kitchen or Kitchen.default(), distinct_by_name(subgraphs)
+    kitchen, total = kitchen or Kitchen.default(), _Total(stored)
+    groups = _groups(subgraphs, units_per_transaction)
     with connection.session(writing=True) as session, Ahead(kitchen) as ahead:
+        first = next(groups, ())
         if read_state(session) is None:  # all is new: it is learnt from while the database makes its indexes
-            ahead.begin(next(batches(wanted, units_per_transaction), ()))
+            ahead.begin(next(batches(first, units_per_transaction), ()))
         _begin(session, kitchen)
-        report = session.execute_read(compare, wanted)
-        stored(report)
-        there = set(report.unchanged)
-        new = (subgraph for subgraph in wanted if subgraph.name not in there)
+        new = _lacking(session, chain([first], groups), total)
         for batch in ahead.through(batches(new, units_per_transaction)):
-            written = session.execute_write(_write, batch, kitchen, ahead)
-            stored(written)
-            report = report + written
-    return report
+            total.add(session.execute_write(_write, batch, kitchen, ahead))
+    return total.report
+
+
+class _Total:
+    """The report of all parts of a load; ``stored`` is told of each."""
+
+    def __init__(self, stored: Callable[[LoadReport], None]) -> None:
+        self._stored = stored
+        self.report = LoadReport()
+
+    def add(self, part: LoadReport) -> None:
+        """Add the report of one part."""
+        self._stored(part)
+        self.report += part
+
+
+def _groups(subgraphs: Iterable[Subgraph], units: int) -> Iterator[Sequence[Subgraph]]:
+    """Yield ``subgraphs``, equal ones once: those in memory at once, of an iterator some more than ``units`` at a time.
+
+    Raises ReadError for two of one name that differ: at first where all are in memory.
+    """
+    if isinstance(subgraphs, Collection):
+        yield distinct_by_name(subgraphs)
+    else:
+        yield from batches(_distinct_in_turn(subgraphs), units)
+
+
+def _distinct_in_turn(subgraphs: Iterable[Subgraph]) -> Iterator[Subgraph]:
+    contents: dict[str, str] = {}
+    for subgraph in subgraphs:
+        known = contents.setdefault(subgraph.name, "")
+        if not known:
+            contents[subgraph.name] = subgraph.content_key
+            yield subgraph
+        elif known != subgraph.content_key:
+            raise two_of_one_name(subgraph.name)
+
+
+def _lacking(session: neo4j.Session, groups: Iterable[Sequence[Subgraph]], total: _Total) -> Iterator[Subgraph]:
+    """Yield those of ``groups`` that the graph lacks; ``total`` hears of the others."""
+    for group in groups:
+        report = session.execute_read(compare, group)
+        total.add(report)
+        there = set(report.unchanged)
+        yield from (subgraph for subgraph in group if subgraph.name not in there)
 
 
 def remove(connection: Connection, names: Collection[str], kitchen: Kitchen | None = None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -15,6 +16,10 @@ from foon_kg.store.graph.frame_rows import frame_row
 from foon_kg.store.graph.lifting import Lifted, lifted
 from foon_kg.store.graph.video_rows import VideoRows, rows_of
 from foon_kg.store.snapshot import frames_in
+
+SWITCH_SECONDS = 0.0005
+"""So long the thread that works ahead keeps the interpreter from the writer, which needs it back after each read of its
+socket: Python's own 5 ms are longer than most statements take, and a statement reads several times."""
 
 
 @dataclass(frozen=True)
@@ -46,11 +51,15 @@ class Ahead:
         self._kitchen = kitchen
         self._pool = ThreadPoolExecutor(max_workers=1)
         self._begun: dict[str, Future[Taught]] = {}
+        self._switching = sys.getswitchinterval()
 
     def __enter__(self) -> Ahead:
+        self._switching = sys.getswitchinterval()
+        sys.setswitchinterval(min(self._switching, SWITCH_SECONDS))
         return self
 
     def __exit__(self, *_: object) -> None:
+        sys.setswitchinterval(self._switching)
         self._pool.shutdown(cancel_futures=True)
 
     def begin(self, videos: Iterable[Subgraph]) -> None:
