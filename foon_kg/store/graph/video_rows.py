@@ -34,8 +34,7 @@ class VideoRows:
     video: dict[str, Any]
     objects: Mapping[str, dict[str, Any]]
     units: Mapping[str, dict[str, Any]]
-    sightings: tuple[dict[str, Any], ...]
-    steps: dict[str, Any]
+    sightings: dict[str, Any]
     goals: tuple[dict[str, str], ...]
     seen: tuple[tuple[str, KeptSighting], ...]
     words: Mapping[str, UnitWords]
@@ -50,11 +49,13 @@ def rows_of(subgraph: Subgraph, kitchen: Kitchen) -> VideoRows:
         video={"name": name, "content": subgraph.content_key, "sources": subgraph.sources},
         objects={node.key: _object_row(node, kitchen) for node in nodes},
         units=unit_rows(subgraph),
-        sightings=tuple(
-            {"unit": one.unit.key, "video": name, "properties": properties_of(one, position)}
-            for position, one in enumerate(subgraph.annotations)
-        ),
-        steps={"name": name, "units": [annotation.unit.key for annotation in subgraph.annotations]},
+        sightings={
+            "name": name,
+            "sightings": [
+                {"unit": one.unit.key, "properties": properties_of(one, position)}
+                for position, one in enumerate(subgraph.annotations)
+            ],
+        },
         goals=_goal_rows(subgraph, kitchen),
         seen=_seen(subgraph),
         words={key: words_of(unit, kitchen.is_utensil) for key, unit in units.items()},

@@ -86,8 +86,7 @@ class Writer:
 
     def _add_sightings(self, videos: Sequence[VideoRows]) -> None:
         """Write where units are seen, in which order, and which goals they make."""
-        self._ask(cypher.LOAD_SIGHTINGS, sightings=[row for one in videos for row in one.sightings])
-        self._ask(cypher.LOAD_NEXT, videos=[one.steps for one in videos])
+        self._ask(cypher.LOAD_SIGHTINGS, videos=[one.sightings for one in videos])
         self._ask(cypher.LOAD_GOALS, goals=[row for one in videos for row in one.goals])
 
     def forget(self, names: Sequence[str]) -> None:

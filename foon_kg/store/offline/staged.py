@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import uuid
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from pathlib import Path
 
 from foon_kg.plans.kitchen import Kitchen
@@ -74,24 +75,21 @@ class Staged(StagedRecipes):
         self.insert("Motion_OUTPUTS_Object", ((new[unit], objects[key], moving) for unit, key, moving in outs))
         return [KeysRow(list(new))]
 
-    def load_sightings(self, sightings: Rows) -> None:
-        """Write down the ``sightings``: where units were seen."""
-        motions = self.ids("Motion", {row["unit"] for row in sightings})
-        videos = self.ids("Video", {row["video"] for row in sightings})
+    def load_sightings(self, videos: Rows) -> None:
+        """Write down where the units of ``videos`` were seen, and tie each to the one that follows it."""
+        motions = self.ids("Motion", {one["unit"] for row in videos for one in row["sightings"]})
+        numbers = self.ids("Video", {row["name"] for row in videos})
         columns = [named(column) for column in edges_of("Motion_SEEN_IN_Video").columns]
         cells = (
-            (motions[row["unit"]], videos[row["video"]], *(cell(row["properties"][name]) for name in columns))
-            for row in sightings
+            (motions[one["unit"]], numbers[row["name"]], *(cell(one["properties"][name]) for name in columns))
+            for row in videos
+            for one in row["sightings"]
         )
         self.insert("Motion_SEEN_IN_Video", cells)
-
-    def load_next(self, videos: Rows) -> None:
-        """Tie each unit of a video to the one that follows it."""
-        motions = self.ids("Motion", {key for row in videos for key in row["units"]})
         pairs = (
-            (motions[one], motions[other], row["name"], place)
+            (motions[one["unit"]], motions[other["unit"]], row["name"], place)
             for row in videos
-            for place, (one, other) in enumerate(zip(row["units"], row["units"][1:], strict=False))
+            for place, (one, other) in enumerate(pairwise(row["sightings"]))
         )
         self.insert("Motion_NEXT_Motion", pairs)
 
