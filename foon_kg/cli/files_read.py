@@ -30,7 +30,7 @@ Where = tuple[str, int | None]
 """A file, and a line of it where that is known."""
 
 MOST_HELD = 10_000
-"""So many units of files that were read are in memory until they are loaded, some 3 kB each."""
+"""So many units of files that were read are in memory until they are loaded, some 2 kB each."""
 
 _TEMPORARY = "Let TMPDIR name a folder that can be written."
 

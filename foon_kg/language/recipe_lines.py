@@ -17,7 +17,6 @@ from fractions import Fraction
 from functools import lru_cache
 from importlib.resources import files
 from importlib.util import find_spec
-from multiprocessing import get_context
 from typing import Any, Self
 
 from foon_kg.food import tables
@@ -28,6 +27,7 @@ from foon_kg.language.foreign_units import with_english_units
 from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
 from foon_kg.language.plain_lines import read_quickly
 from foon_kg.language.several_foods import with_all_foods, without_mere_states
+from foon_kg.model.copies import copies
 from foon_kg.model.errors import FoonError, UsageError
 
 __all__ = ["LineReader", "RecipeLine", "read_fully", "read_quickly", "read_recipe_lines"]
@@ -35,6 +35,7 @@ __all__ = ["LineReader", "RecipeLine", "read_fully", "read_quickly", "read_recip
 _REMEMBERED = 20_000
 _MANY = 200  # lines for the parser: a second of work, which starting a process costs as well
 _AT_ONCE = 32
+_READY = "foon_kg.language.parser_ready"
 _NUMBER = re.compile(r"(?a:(?:\d{1,4} )?[1-9]\d{0,3}/[1-9]\d{0,3}|[1-9]\d{0,3})(?= [a-z])")
 _HALF = re.compile(r"\b(?:half|1/2|\u00bd) (?:of )?an? (?!dozen)(?=[a-z])", re.IGNORECASE)
 _PRESSED_FROM = re.compile(r"\b(juice|zest) (?:from|out of) (?=[a-z\d\u00bc-\u00be])", re.IGNORECASE)
@@ -84,7 +85,7 @@ class LineReader:
             return map(read_fully, lines)
         _require_parser()  # so that a missing extra is told here, not by a process
         if self._pool is None:
-            self._pool = ProcessPoolExecutor(self._jobs, mp_context=get_context("spawn"))
+            self._pool = ProcessPoolExecutor(self._jobs, mp_context=copies(_READY))
         try:
             return list(self._pool.map(read_fully, lines, chunksize=_AT_ONCE))
         except BrokenProcessPool as error:

@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import threading
 from collections.abc import Iterator
-from functools import cache
-from multiprocessing import get_all_start_methods, get_context
 from multiprocessing.connection import Connection
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from foon_kg.model.copies import copies
 from foon_kg.planning.processes import collect_seldom, end_with_parent, keep_for_good
 from foon_kg.web.foon import Served
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.questions import BusyError, InternalError, Question, Reply, TooLongError
-
-if TYPE_CHECKING:
-    from multiprocessing.context import ForkServerContext, SpawnContext
 
 BEGINNING = 120.0
 """Seconds within which a process has to be ready: a FOON of 200,000 units takes it twenty."""
@@ -25,11 +20,11 @@ BEGINNING = 120.0
 _ENDING = 5.0
 """Seconds for which the exit code of a process is waited for whose pipe has ended."""
 
+_READY = "foon_kg.web.warm"
+"""What makes ready all that no FOON changes."""
+
 _IDLE = 0.5
 """Seconds without a question after which a process practises: a dish takes it some 20 ms, which a question may wait."""
-
-_TABLES = ("FOON_KG_ALIASES", "FOON_KG_FOODS", "FOON_KG_STATES", "FOON_KG_UTENSILS")
-"""Name tables of a user's own, on which answers depend."""
 
 
 class PlanningProcess:
@@ -90,7 +85,7 @@ class PlanningProcess:
                 self._begin()
 
     def _begin(self) -> None:
-        context = _beginning()
+        context = copies(_READY)
         self._line, theirs = context.Pipe()
         self._process = context.Process(target=_plan, args=(theirs, self._served), name="foon-planning", daemon=True)
         self._ready = False
@@ -100,27 +95,6 @@ class PlanningProcess:
     def _end(self) -> None:
         self._process.kill()
         self._process.join()
-
-
-def _beginning() -> ForkServerContext | SpawnContext:
-    """Return how a process begins: where it can be, as a copy of one that has made ready what no FOON changes.
-
-    That one sees the environment as it was when the first process began. Where another table of a user's own is named
-    since, a process begins by itself: much of what was made ready may follow from the tables.
-    """
-    if "forkserver" not in get_all_start_methods() or _own_tables() != _first_own_tables():
-        return get_context("spawn")
-    context = get_context("forkserver")
-    context.set_forkserver_preload(["foon_kg.web.warm"])
-    return context
-
-
-def _own_tables() -> tuple[str, ...]:
-    """Return where the environment says that a user's own tables are."""
-    return tuple(os.environ.get(name, "") for name in _TABLES)
-
-
-_first_own_tables = cache(_own_tables)
 
 
 def _plan(line: Connection[Any, Any], served: Served) -> None:
