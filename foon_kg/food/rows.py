@@ -109,6 +109,11 @@ class State:
         """How fine the pieces are, 0 (whole) where the state says nothing of it."""
         return self.fine or 0
 
+    @property
+    def takes_work(self) -> bool:
+        """Whether somebody has to give a food this state: it is the name of a treatment, and no shop sells food so."""
+        return not self.sold and bool(self.earns or self.fine)
+
 
 @dataclass(frozen=True)
 class Motion:
@@ -146,7 +151,7 @@ class Utensil:
     always_on: bool = False
     written: str = ""
 
-    @property
+    @cached_property
     def keeps_food(self) -> bool:
         """Whether food is in it as it is sold, or comes out of it: a jar, a tap."""
         return self.role == "storage" or self.source == "water"

@@ -61,7 +61,7 @@ def _run_through(out: Outcome) -> None:
         for lump in list(vessel.lumps) if _is_strainer(vessel.row) else ():
             if says(lump.states, "keeps its shape") or _has_set(lump):
                 continue
-            lump.parts = [part for part in lump.parts if not part.food.is_a("liquid", "water")]
+            lump.keep([part for part in lump.parts if not part.food.is_a("liquid", "water")])
             if not lump.parts:
                 out.supply.put(lump, None)
                 lump.gone = True
@@ -85,7 +85,7 @@ def _keep_back(out: Outcome) -> None:
         return
     for lump in out.played_step.outputs.values():
         if lump.mixed and lump.label not in held:
-            lump.parts = [part for part in lump.parts if part.name not in held]
+            lump.keep([part for part in lump.parts if part.name not in held])
 
 
 def _told_in_strainers(out: Outcome) -> frozenset[str]:
@@ -105,8 +105,8 @@ def _gather(out: Outcome, place: int) -> None:
 
 def _there_with(lump: Lump) -> set[str]:
     """Return the names of a food, of its parts, of what lies on it and of what is in its vessel."""
-    there = _held(lump) | (lump.where.names if lump.where else set())
-    return there.union(*(rider.names for rider in lump.riders if not rider.gone))
+    there = lump.where.names if lump.where else set()
+    return there.union(lump.called, *(rider.names for rider in lump.riders if not rider.gone))
 
 
 def _bring(out: Outcome, name: str, node: ObjectNode, lump: Lump) -> None:
@@ -121,7 +121,7 @@ def _bring(out: Outcome, name: str, node: ObjectNode, lump: Lump) -> None:
     other = _to_be_moved(out, name, lump.where) or _left_behind(out, name, lump)
     if other is not None and other is not lump:
         lump.take(other.parts)
-        lump.names |= other.names
+        lump.call(other.names)
         out.consume(other, lump)
         out.supply.keep(lump, lump.where)
     elif name not in out.labels:
@@ -132,7 +132,7 @@ def _take_some(lump: Lump, other: Lump, name: str) -> None:
     """Let some of another food, which is called ``name``, be on a lump; the rest stays where it is."""
     there_now = {part.name for part in lump.parts}
     lump.take(part.copy() for part in other.parts if part.name not in there_now)
-    lump.names.add(name)
+    lump.call([name])
 
 
 def _clings(out: Outcome, name: str, lump: Lump) -> Lump | None:
@@ -143,7 +143,7 @@ def _clings(out: Outcome, name: str, lump: Lump) -> Lump | None:
     heats, coats = out.played_step.does("heat"), out.played_step.does("coat")
     outputs = (out.played_step.outputs.get(mention.node) for mention in out.mentions)
     for one in outputs if heats or coats else ():
-        if one is None or one is lump or name not in _held(one):
+        if one is None or one is lump or name not in one.called:
             continue
         if _is_fat_beside(one, lump) if heats else _stays_in_its_bowl(out, one, lump):
             return one
@@ -156,11 +156,6 @@ def _is_fat_beside(one: Lump, lump: Lump) -> bool:
 
 def _stays_in_its_bowl(out: Outcome, one: Lump, lump: Lump) -> bool:
     return one.where is not lump.where and one.where is out.before.get(id(one))
-
-
-def _held(lump: Lump) -> set[str]:
-    """Return the names of a food and of its parts."""
-    return {*lump.names, *(part.name for part in lump.parts)}
 
 
 def _left_behind(out: Outcome, name: str, lump: Lump) -> Lump | None:
@@ -180,7 +175,7 @@ def _derived(out: Outcome, name: str, node: ObjectNode, where: Vessel | None, in
         out.supply.name_lump(name, out.played_step.number, where)  # a can that is opened shows what is in it
         return
     for lump in out.lumps():
-        if any(_is_part_of(name, other) for other in (*lump.names, *(part.name for part in lump.parts))):
+        if any(_is_part_of(name, other) for other in lump.called):
             _portion_called(out, name, lump, where)
             return
     if out.played_step.does("separate") and out.lumps():
@@ -191,7 +186,7 @@ def _derived(out: Outcome, name: str, node: ObjectNode, where: Vessel | None, in
 
 def _portion_called(out: Outcome, name: str, lump: Lump, where: Vessel | None) -> None:
     if where is not None and (lump.where is where or name in where.names):
-        lump.names.add(name)
+        lump.call([name])
         out.supply.keep(lump, lump.where)
         return
     parts = [part.copy() for part in lump.parts]
@@ -208,7 +203,7 @@ def _out_of_nowhere(out: Outcome, name: str, node: ObjectNode, where: Vessel | N
     lump = out.supply.name_lump(name, out.played_step.number, where)
     if into is not None:
         into.take(lump.parts)
-        into.names.add(name)
+        into.call([name])
         out.consume(lump, into)
         out.supply.keep(into, into.where)
 
@@ -239,7 +234,7 @@ def _to_be_moved(out: Outcome, name: str, vessel: Vessel | None) -> Lump | None:
     """Return the food that a vessel is said to hold now and that is elsewhere: of that name, else of one like it."""
     elsewhere = [lump for lump in out.lumps() if lump.where is not vessel and _is_free(out, lump)]
     for lump in elsewhere:
-        if name in _held(lump):
+        if name in lump.called:
             return lump
     return next((lump for lump in elsewhere if lump in out.played_step.inputs and is_among(name, lump.names)), None)
 

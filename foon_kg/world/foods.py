@@ -85,12 +85,10 @@ def _is_left_over(out: Outcome, one: NodeReading) -> bool:
     """Whether a food output is what nobody eats: a skin, or what is left of what was squeezed for its juice."""
     if one.remains:
         return True
+    if not out.played_step.does("separate") or out.is_liquid(one) or not _named_twice(out, one):
+        return False
     came_in = {lump.label for lump in out.played_step.inputs}  # the broth around a roast is not its juice
-    juices = [
-        other for other in out.said
-        if other.utensil is None and out.is_liquid(other) and other.label not in came_in
-    ]  # fmt: skip
-    return out.played_step.does("separate") and bool(juices) and not out.is_liquid(one) and _named_twice(out, one)
+    return any(other.is_food and other.label not in came_in and out.is_liquid(other) for other in out.said)
 
 
 def _portion(out: Outcome, lump: Lump, one: NodeReading, mention: Mention, *, remains: bool) -> Lump:
@@ -106,7 +104,7 @@ def _settle(out: Outcome, lump: Lump, place: int) -> None:
     """Give a lump the states and the place that its output node says."""
     one, node = out.said[place], out.mentions[place].node
     lump.label, lump.last = one.label, out.played_step.number
-    lump.names.add(one.label)
+    lump.call([one.label])
     out.played_step.outputs[node] = lump
     lump.states = node.states
     where = _place(out, one, node, lump)
@@ -233,7 +231,7 @@ def _new_parts(out: Outcome, one: NodeReading) -> list[Part]:
 
 def _alias(out: Outcome, lump: Lump, one: NodeReading, node: ObjectNode) -> None:
     """Give what was just made a second name: a salad that is also told as the greek salad."""
-    lump.names.add(one.label)
+    lump.call([one.label])
     out.played_step.outputs[node] = lump
     out.supply.keep(lump, lump.where)
 
@@ -281,8 +279,9 @@ def _without_output(out: Outcome, lumps: Sequence[Lump]) -> list[Lump]:
 
 def _is_named(one: NodeReading, lump: Lump) -> bool:
     """Whether an output is called like a part of a food, or names it or a part of it among its ingredients."""
-    parts = {part.name for part in lump.parts}
-    return one.label in parts or not one.names.isdisjoint(lump.names | parts)
+    if not one.names.isdisjoint(lump.called):
+        return True
+    return any(part.name == one.label for part in lump.parts)
 
 
 def _join_all(out: Outcome, lump: Lump) -> None:

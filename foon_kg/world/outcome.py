@@ -38,11 +38,7 @@ class Outcome:
 
     def names_brought(self) -> set[str]:
         """Return the names of all foods that went in, and of their parts."""
-        names: set[str] = set()
-        for lump in self.lumps():
-            names |= lump.names
-            names.update([part.name for part in lump.parts])
-        return names
+        return set().union(*(lump.called for lump in self.lumps()))
 
     @cached_property
     def labels(self) -> frozenset[str]:
@@ -113,7 +109,8 @@ class Outcome:
         """Let ``lump`` go up in ``product``, which is called as it was too where somebody made it."""
         lump.gone = True
         self.supply.put(lump, None)
-        product.names |= {name for name in lump.names if lump.made}
+        if lump.made:
+            product.call(lump.names)
         self.mapped.add(id(lump))
 
     def remember(self) -> None:

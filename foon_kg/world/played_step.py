@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from foon_kg.food import Motion
@@ -37,19 +38,19 @@ class PlayedStep:
     motion: Motion
     mishaps: list[Mishap] = field(default_factory=list)
     moved: list[tuple[Lump, Vessel | None, Vessel | None]] = field(default_factory=list)
-    treated: list[Lump] = field(default_factory=list)
-    heated: list[Vessel] = field(default_factory=list)
+    treated: Sequence[Lump] = ()
+    heated: Sequence[Vessel] = ()
     taken: list[Part] = field(default_factory=list)
     made: list[Lump] = field(default_factory=list)
     inputs: list[Lump] = field(default_factory=list)
     outputs: dict[ObjectNode, Lump] = field(default_factory=dict)
     vessels: list[Vessel] = field(default_factory=list)
-    tools: list[ObjectNode] = field(default_factory=list)
+    tools: Sequence[ObjectNode] = ()
     vessels_moved: bool = False
-    emptied: list[Vessel] = field(default_factory=list)
-    input_readings: list[NodeReading] = field(default_factory=list)
-    output_readings: list[NodeReading] = field(default_factory=list)
-    hot: list[Vessel] = field(default_factory=list)
+    emptied: Sequence[Vessel] = ()
+    input_readings: Sequence[NodeReading] = ()
+    output_readings: Sequence[NodeReading] = ()
+    hot: Sequence[Vessel] = ()
     in_oven: bool = False
 
     def fault(self, rule: str, reason: str, *nodes: ObjectNode, minor: bool = False) -> None:

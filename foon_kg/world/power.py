@@ -198,10 +198,4 @@ def _turn(vessel: Vessel, burner: str, *, on: bool) -> None:
 
 def hot_vessels(supply: Supply) -> list[Vessel]:
     """Return the vessels of the kitchen ``supply`` that hold food and stand over heat that is on."""
-    found = []
-    for vessels in supply.vessels.values():
-        for vessel in vessels:
-            source = vessel.where
-            if vessel.lumps and source is not None and source.row.source == "heat" and source.is_on(vessel.label):
-                found.append(vessel)
-    return found
+    return [vessel for vessel in supply.burning() if vessel.lumps]

@@ -28,6 +28,7 @@ class NodeReading:
     without being in it (a lid, a burner under its pan). ``fine`` is how small its pieces are, ``earns`` what its states
     say was done to it. ``empty``, ``on``, ``off``, ``hot``, ``covered`` and ``uncovered`` are claims about a utensil.
     ``undivided`` says that a food is one piece as it was bought or peeled, ``remains`` that it is what nobody eats.
+    ``worked`` are those of its states that somebody has to give a food: no shop sells it so.
     """
 
     node: ObjectNode
@@ -47,16 +48,9 @@ class NodeReading:
     remains: bool
     fine: int | None
     earns: frozenset[str]
-
-    @property
-    def is_food(self) -> bool:
-        """Whether it is a food."""
-        return self.utensil is None
-
-    @property
-    def is_appliance(self) -> bool:
-        """Whether it is an appliance."""
-        return self.utensil is not None and self.utensil.role == "appliance"
+    worked: tuple[str, ...]
+    is_food: bool
+    is_appliance: bool
 
 
 class Reader:
@@ -107,6 +101,9 @@ class Reader:
             remains=self._remains(node, utensil, rows),
             fine=max(fine, default=None),
             earns=frozenset().union(*(row.earns for row in rows)) - {"remains"},
+            worked=_worked(node, rows),
+            is_food=utensil is None,
+            is_appliance=_is_appliance(utensil),
         )
 
     def _place_of(self, node: ObjectNode, utensil: Utensil | None) -> tuple[str | None, str | None]:
@@ -122,6 +119,15 @@ class Reader:
         if any("remains" in row.earns for row in rows):
             return True
         return utensil is None and self.tables.foods.food(node.label, node.states).is_a("remains")
+
+
+def _worked(node: ObjectNode, rows: Sequence[State]) -> tuple[str, ...]:
+    """Return those states of a food, of which ``rows`` say what they mean, that somebody has to give it."""
+    return tuple(state for state, row in zip(node.states, rows, strict=False) if row.takes_work)
+
+
+def _is_appliance(utensil: Utensil | None) -> bool:
+    return utensil is not None and utensil.role == "appliance"
 
 
 def _is_covered(node: ObjectNode, states: Sequence[str], closed: Collection[str]) -> bool:

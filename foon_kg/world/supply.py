@@ -25,7 +25,8 @@ class Supply:
     """All things that are there, and how nodes are told to be one of them.
 
     ``asked`` says how often each food was asked for, which is how many undivided ones a kitchen has; one of each where
-    nobody asked. ``found_on`` are the appliances that are on before the first step, by their names.
+    nobody asked. ``found_on`` are the appliances that are on before the first step, by their names. ``over_heat`` has
+    each vessel that stands on or in a source of heat, with that.
     """
 
     def __init__(self, reader: Reader, asked: dict[str, int]) -> None:
@@ -34,6 +35,7 @@ class Supply:
         self.found_on: frozenset[str] = frozenset()
         self.lumps: dict[str, list[Lump]] = {}
         self.vessels: dict[str, list[Vessel]] = {}
+        self.over_heat: dict[Vessel, Vessel] = {}
         self.known_lumps: dict[ObjectNode, Lump] = {}
         self.known_vessels: dict[ObjectNode, Vessel] = {}
         self.numbered_lumps: dict[int, Lump] = {}
@@ -136,8 +138,23 @@ class Supply:
             if place is vessel:
                 return False
             place = place.where
-        vessel.where = where
+        self._move_vessel(vessel, where)
         return True
+
+    def lift(self, vessel: Vessel) -> None:
+        """Take a vessel off or out of what it stands on, in or is attached to."""
+        self._move_vessel(vessel, None)
+
+    def _move_vessel(self, vessel: Vessel, where: Vessel | None) -> None:
+        vessel.where = where
+        if where is not None and where.row.source == "heat":
+            self.over_heat[vessel] = where
+        else:
+            self.over_heat.pop(vessel, None)
+
+    def burning(self) -> Iterator[Vessel]:
+        """Yield the vessels that stand over heat that is on."""
+        return (vessel for vessel, source in self.over_heat.items() if source.is_on(vessel.label))
 
     def holder(self, label: str) -> Vessel:
         """Return what a thing stands on or in, by its label: an appliance, else the last vessel of that name."""
@@ -304,10 +321,13 @@ class Supply:
 
     def keep(self, lump: Lump, where: Vessel | None) -> None:
         """Let a lump be found under its names, and stand where it is."""
-        for name in (*lump.names, *[part.name for part in lump.parts]):
-            found = self.lumps.setdefault(name, [])
-            if lump not in found:
-                found.append(lump)
+        called = lump.called
+        if called is not lump.filed:
+            lump.filed = called
+            for name in called:
+                found = self.lumps.setdefault(name, [])
+                if lump not in found:
+                    found.append(lump)
         if lump.number is not None:
             self.numbered_lumps[lump.number] = lump
         self.put(lump, where)

@@ -6,7 +6,7 @@ part, or many that were mixed. A *vessel* is whatever holds lumps or other vesse
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 
 from foon_kg.food import Food, Utensil
@@ -76,8 +76,10 @@ def _later(one: int | None, other: int | None) -> int | None:
 class Lump:
     """One food thing: its names (what trees called it), its states, its parts and where it is.
 
+    Names and parts are changed by its methods alone.
+
     ``gone``: it is part of another lump now, or was thrown away. ``riders`` lie on it and go where it goes. ``number``
-    is the thing's number in a tree that numbers them.
+    is the thing's number in a tree that numbers them, ``filed`` what it is called where the kitchen finds it.
     """
 
     label: str
@@ -90,9 +92,30 @@ class Lump:
     gone: bool = False
     riders: list[Lump] = field(default_factory=list)
     last: int = 0
+    filed: tuple[str, ...] = ()
+    _called: tuple[str, ...] | None = None
+
+    @property
+    def called(self) -> tuple[str, ...]:
+        """Its names and those of its parts, each once."""
+        if self._called is None:
+            self._called = tuple(dict.fromkeys([*self.names, *[part.name for part in self.parts]]))
+        return self._called
+
+    def call(self, names: Collection[str]) -> None:
+        """Let it have other names, too."""
+        if not self.names.issuperset(names):
+            self.names.update(names)
+            self._called = None
+
+    def keep(self, parts: list[Part]) -> None:
+        """Let it have no other parts than these."""
+        self.parts = parts
+        self._called = None
 
     def take(self, parts: Iterable[Part]) -> None:
         """Take parts in. Portions of one thing that come together again with one history are one part."""
+        self._called = None
         there = {part.kept_as: part for part in self.parts}
         for part in parts:
             kept_as = part.kept_as
@@ -142,8 +165,7 @@ class Vessel:
         """The names of all foods in it: of its lumps and of their parts."""
         found: set[str] = set()
         for lump in self.lumps:
-            found |= lump.names
-            found.update([part.name for part in lump.parts])
+            found.update(lump.called)
         return found
 
     def is_on(self, burner: str = "") -> bool:

@@ -59,6 +59,12 @@ def _earned(does: frozenset[str]) -> tuple[str, ...]:
     return tuple(treatment for name in sorted(does) for treatment in GIVES.get(name, ()))
 
 
+@lru_cache(maxsize=1 << 10)
+def _fine_after(does: frozenset[str]) -> int:
+    """Return how fine what a motion ``does`` makes a food at least; of a cut its state tells that."""
+    return max((FINE.get(name, 0) for name in does - {"cut"}), default=0)
+
+
 def _treated(played_step: PlayedStep) -> list[Lump]:
     """Return what the hands work on: the foods that came out in another form, else those that went in."""
     out = [lump for lump in (*played_step.outputs.values(), *played_step.made) if not lump.gone]
@@ -87,7 +93,7 @@ def _treat(part: Part, lump: Lump, earned: Sequence[str], supply: Supply, played
         return
     for treatment in earned:
         part.done.setdefault(treatment, played_step.number)
-    part.fine = max(part.fine, *(FINE.get(name, 0) for name in played_step.motion.does if name != "cut"), 0)
+    part.fine = max(part.fine, _fine_after(played_step.motion.does))
     if _is_pressed_out(lump, supply, played_step):
         for treatment in GIVES["squeeze"]:
             part.done.setdefault(treatment, played_step.number)
@@ -194,20 +200,13 @@ def _note(lump: Lump, number: int, *, joins: bool, mixes: bool) -> None:
 
 def _judge_claims(supply: Supply, played_step: PlayedStep) -> None:
     """Ask of each state that an output says and no input whether this motion gives it."""
-    before = {state for mention in played_step.step.inputs for state in mention.node.states}
     for said in played_step.output_readings:
-        lump = played_step.outputs.get(said.node) if said.is_food else None
+        lump = played_step.outputs.get(said.node) if said.worked else None
         if lump is None or lump in played_step.made:
             continue
-        for state in said.node.states:
-            row = supply.reader.tables.state(state)
-            if state not in before and _takes_work(row):
-                _claimed_so(said, state, row, lump, played_step)
-
-
-def _takes_work(row: State) -> bool:
-    """Whether somebody has to give a food this state: it is the name of a treatment, and no shop sells the food so."""
-    return not row.sold and bool(row.earns or row.fine)
+        for state in said.worked:
+            if not any(state in mention.node.states for mention in played_step.step.inputs):
+                _claimed_so(said, state, supply.reader.tables.state(state), lump, played_step)
 
 
 def _claimed_so(said: NodeReading, state: str, row: State, lump: Lump, played_step: PlayedStep) -> None:

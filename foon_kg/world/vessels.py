@@ -89,7 +89,7 @@ def _stand(out: Outcome, vessel: Vessel, one: NodeReading, node: ObjectNode) -> 
         if _is_new(out, node):
             out.played_step.vessels_moved = True
     elif _is_taken_away(out, vessel, one):
-        vessel.where = None
+        out.supply.lift(vessel)
         out.played_step.vessels_moved = True
     if vessel.row.role != "wrap":
         _close(out, vessel, one)

@@ -90,7 +90,8 @@ class _Derivation:
         now = dict.fromkeys(parts, 0)  # at the last step it is one thing
         steps = [now]
         for step in range(last - 1, -1, -1):
-            now = self._parted(parts, now, step)
+            if len(set(now.values())) < len(parts):
+                now = self._parted(parts, now, step)
             steps.append(now)
         return steps[::-1]
 
@@ -99,37 +100,45 @@ class _Derivation:
         numbers: dict[Hashable, int] = {}
         now: dict[int, int] = {}
         for name, part in parts.items():
-            place = self.played.place_of(part, step)
-            key = (later[name], place.key if place is not None and part.taken <= step else ("new", name))
+            place = self.played.place_of(name, step) if part.taken <= step else None
+            key = (later[name], ("new", name) if place is None else place.key)
             now[name] = numbers.setdefault(key, len(numbers))
         return now
 
     def _followed(self, parts: dict[int, Part], last: int) -> Cluster:
         """Return the one cluster that all parts are in after the last step, with the stages that led to it."""
-        clusters = [Cluster(frozenset([name])) for name in parts]
+        clusters = [Cluster(frozenset([name]), name) for name in parts]
+        before: dict[int, int] = {}
         for step, together in enumerate(self._refined(parts, last)):
-            groups: dict[int, list[Cluster]] = {}
-            for cluster in clusters:
-                groups.setdefault(together[min(cluster.parts)], []).append(cluster)
+            if together != before:
+                clusters = [self._met(group, parts, step) for group in _grouped(clusters, together)]
+                before = together
             inside = self.played.inside(step)
-            clusters = [self._together(group, parts, inside, step) for group in groups.values()]
-        return clusters[0]
+            for cluster in clusters:
+                if not inside.isdisjoint(cluster.parts):
+                    self._work_on(cluster, parts, step)
+        whole = clusters[0]
+        self._keep_up(whole, parts, last)
+        return whole
 
-    def _together(self, group: list[Cluster], parts: dict[int, Part], inside: set[int], step: int) -> Cluster:
-        """Return what a group of clusters is after a step, of whose things those parts are ``inside``."""
-        cluster = self._met(group, parts, step) if len(group) > 1 else group[0]
-        place = self.played.place_of(parts[min(cluster.parts)], step)
-        was = cluster.place
-        cluster.place = place or was
-        if inside.isdisjoint(cluster.parts):
-            return cluster
+    def _keep_up(self, cluster: Cluster, parts: dict[int, Part], step: int) -> None:
+        """Let a cluster be in the place where it was after a step, which is the last known where it was in none."""
+        earliest = max(cluster.step, parts[cluster.first].taken - 1)
+        places = (self.played.place_of(cluster.first, one) for one in range(step, earliest, -1))
+        cluster.place = next(filter(None, places), cluster.place)
+        cluster.step = step
+
+    def _work_on(self, cluster: Cluster, parts: dict[int, Part], step: int) -> None:
+        """Note what a step does to a cluster with which it works."""
+        self._keep_up(cluster, parts, step - 1)
+        was, place = cluster.place, self.played.place_of(cluster.first, step)
+        cluster.place, cluster.step = place or was, step
         played_step = self.played.played_steps[step]
         if cluster.is_untouched and len({parts[name].name for name in cluster.parts}) == 1:
             self._handle_alone(cluster, was, place, step)
         elif _works(played_step) or _is_brought_on(was, place):
             cluster.stages.append(self._stage(cluster, played_step, place, step))
             cluster.waiting = []
-        return cluster
 
     def _handle_alone(self, cluster: Cluster, was: Place | None, now: Place | None, step: int) -> None:
         """Note what a step does to a food by itself, which ``was`` in one place and is in another ``now``."""
@@ -141,25 +150,30 @@ class _Derivation:
 
     def _met(self, group: list[Cluster], parts: dict[int, Part], step: int) -> Cluster:
         """Return clusters that meet in a step as one: that which stays where it is, with what waits to be worked in."""
-        first = self._receiver(group, parts, step)
-        others = [cluster for cluster in group if cluster is not first]
+        if len(group) == 1:
+            return group[0]
+        for cluster in group:
+            self._keep_up(cluster, parts, step - 1)
+        receiver = self._receiver(group, parts, step)
+        others = [cluster for cluster in group if cluster is not receiver]
         motion = _motion_of(self.played.played_steps[step])
-        adds: list[Slot | Line] = [first.slot(parts, self.known, first.brought)] if first.is_untouched else []
+        adds: list[Slot | Line] = [receiver.slot(parts, self.known, receiver.brought)] if receiver.is_untouched else []
         for cluster in others:
             if cluster.is_untouched:
                 adds.append(cluster.slot(parts, self.known, (*motion, cluster.vessel)))
             else:
                 adds += joined(cluster.line(step))
-        first.waiting = distinct([*first.waiting, *adds], first.stages, self.played.fetched, self.known)
-        first.parts = first.parts.union(*(cluster.parts for cluster in others))
-        return first
+        receiver.waiting = distinct([*receiver.waiting, *adds], receiver.stages, self.played.fetched, self.known)
+        receiver.parts = receiver.parts.union(*(cluster.parts for cluster in others))
+        receiver.first = min(receiver.parts)
+        return receiver
 
     def _receiver(self, group: list[Cluster], parts: dict[int, Part], step: int) -> Cluster:
         """Return the cluster that stays where it is while others come to it."""
 
         # what stays in its vessel, else the greater part, else what was there first
         def order(cluster: Cluster) -> tuple[bool, int, int, int]:
-            place = self.played.place_of(parts[min(cluster.parts)], step)
+            place = self.played.place_of(cluster.first, step)
             stays = place is not None and bool(cluster.vessel) and cluster.vessel == place.vessel
             first = min(parts[name].taken for name in cluster.parts)
             return (stays, len(cluster.parts), -first, -min(parts[n].origin for n in cluster.parts))
@@ -213,6 +227,14 @@ def _lost(goal: ObjectNode, line: Line, known: Tables) -> tuple[str, ...]:
         for food in told
         if there.isdisjoint({*words(food.name), food.kind}) and not food.is_a("made", "dough")
     )
+
+
+def _grouped(clusters: Iterable[Cluster], together: dict[int, int]) -> list[list[Cluster]]:
+    """Return clusters in groups of those that are ``together``: of the same number, by their first parts."""
+    groups: dict[int, list[Cluster]] = {}
+    for cluster in clusters:
+        groups.setdefault(together[cluster.first], []).append(cluster)
+    return list(groups.values())
 
 
 def _works(played_step: PlayedStep) -> bool:

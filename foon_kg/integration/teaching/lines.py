@@ -32,15 +32,19 @@ Brought = tuple[str, tuple[str, ...], str]
 class Cluster:
     """Parts of matter (by their numbers) that stay together from some step on: a line as it grows.
 
+    ``first`` is the least number of its ``parts``.
     ``stages`` are what was done to it so far, ``waiting`` what joined since the last of them. ``cooked`` are the
-    motions that cooked it while it was one food by itself, ``brought`` is how it came to its ``place``.
+    motions that cooked it while it was one food by itself, ``brought`` is how it came to its ``place``, in which it was
+    after the ``step`` of that number.
     """
 
     parts: frozenset[int]
+    first: int
     stages: list[Stage] = field(default_factory=list)
     waiting: list[Slot | Line] = field(default_factory=list)
     cooked: list[str] = field(default_factory=list)
     place: Place | None = None
+    step: int = -1
     brought: Brought = ("", (), "")
 
     @property
@@ -58,7 +62,7 @@ class Cluster:
 
         ``known`` are the tables.
         """
-        part = parts[min(self.parts)]
+        part = parts[self.first]
         states = self.place.states if self.place is not None else part.states
         kind = known.foods.food(part.name, part.states).kind
         return Slot(part.name, kind, states, tuple(dict.fromkeys(self.cooked)), *brought)
