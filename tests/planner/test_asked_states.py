@@ -30,6 +30,8 @@ pytestmark = pytest.mark.shared_data
         ("beef", "potato:fried", "cook and stir", ("beef:cubed", "onion:sliced", "oil:liquid", "water:liquid")),
         ("soup", "tomato:roasted", "bake", ("onion:chopped", "vegetable stock:liquid")),
         ("soup", "cumin seed:toasted", "cook and stir", ("carrot:diced", "vegetable stock:liquid")),
+        ("casserole", "hash brown:thawed", "defrost", ("sour cream:creamy", "cheddar:grated", "onion:chopped")),
+        ("muffin", "spinach:thawed", "defrost", ("flour:powder", "egg:raw", "milk:liquid", "baking powder:powder")),
     ],
 )
 def test_a_state_is_given_before_the_food_joins(steps, dish, food, motion, rest):
@@ -164,3 +166,33 @@ def test_a_tool_that_no_more_than_one_video_takes_is_left_for_the_usual_one(step
     told = steps("pudding", "", food, "double cream:creamy", "sugar:granulated", "milk:liquid")
     assert any({label, tool} <= inputs for inputs, _, _ in told)
     assert not any({label, other} <= inputs for inputs, _, _ in told for other in ("mandoline", "scraper"))
+
+
+def test_what_has_thawed_is_not_frozen_any_more(steps):
+    told = steps("salad", "", "pea:thawed", "elbow macaroni:cooked", "tuna:flaked", "mayonnaise:creamy")
+    thawed = first(told, "pea", "defrost")
+    assert "frozen" not in states_of(told[thawed + 1 :], "pea")
+
+
+@pytest.mark.parametrize(
+    ("dish", "food", "rest"),
+    [
+        ("salad", "tea leaf:fermented", ("cabbage:shredded", "peanut:roasted", "lime:juice", "sesame oil:liquid")),
+        ("salad", "split pea:fried", ("cabbage:shredded", "peanut:roasted", "lime:juice", "sesame oil:liquid")),
+        ("sandwich", "coleslaw:shredded", ("bun:whole", "ham:sliced", "mustard:creamy")),
+        ("sandwich", "sauerkraut:shredded", ("bread:sliced", "corned beef:sliced", "swiss cheese:sliced")),
+        ("casserole", "hash brown:shredded", ("sausage:crumbled", "egg:beaten", "milk:liquid", "cheddar:shredded")),
+    ],
+)
+def test_what_only_shops_make_comes_as_it_is_asked(steps, dish, food, rest):
+    label, _, state = food.partition(":")
+    told = steps(dish, "", food, *rest)
+    place, (_, motion, outputs) = next((i, one) for i, one in enumerate(told) if label in one[0])
+    assert motion in {"pour", "pick-and-place", "scoop", "scoop and pour"}
+    assert state in states_of(told[: place + 1], label) or any(label in node.ingredients for node in outputs)
+
+
+def test_roots_that_are_asked_done_and_cut_are_boiled_and_not_fried_whole(steps):
+    told = steps("salad", "", "beetroot:cooked, cut", "walnut:toasted", "olive oil:liquid", "vinegar:liquid")
+    cooked = next(i for i, (_, _, out) in enumerate(told) if "cooked" in states_of(told[: i + 1], "beetroot"))
+    assert "water" in told[cooked][0]

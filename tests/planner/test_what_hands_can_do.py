@@ -71,11 +71,6 @@ def test_what_is_sold_without_its_stone_is_bought_so(public_plans, food, state):
     assert state in taken.states
 
 
-def test_what_is_assumed_to_be_thawed_is_frozen_no_more(public_plans):
-    result = public_plans("soup", "Soup", "pea:thawed", "onion:chopped", "broth:liquid")
-    assert [set(one.node.states) for one in result.assumptions] == [{"thawed"}]
-
-
 def test_what_is_toasted_is_toasted_dry(steps):
     told = steps(
         "sauce", "Romesco Sauce", "almond:toasted", "tomato:roasted", "garlic:minced", "olive oil:liquid",

@@ -88,10 +88,12 @@ class Preparer(Treater):
         ready.cut_later = want.then or ready.cut_later
 
     def _rid(self, ready: Ready) -> None:
-        """Rid a food that gets ``ready`` of what it was packed in, and of what is inside it."""
+        """Rid a food that gets ``ready`` of what it was packed in, of its ice, and of what is inside it."""
         want = ready.want
         if _is_packed_dry(want):
             self.rinse(ready, min(word_list("is so when it is rinsed")))
+        if want.asked in word_list("is so when it has thawed"):
+            self.bring_about(ready, want.asked)
         opened = _opened_first(want)
         if opened:
             self.bring_about(ready, opened)

@@ -126,7 +126,8 @@ class Treater(Cutter):
             return False
         if self._is_poured_to(how, stuff):
             bench.bring([stuff], bench.vessel(how.on), bench.require([("pour", ()), ("scoop", ())], want.names))
-        kept = (one for one in stuff.states if how.whole or not self.known.state(one).undivided)
+        was = self.known.state(state).before
+        kept = (one for one in stuff.states if one not in was and (how.whole or not self.known.state(one).undivided))
         bench.declare(how.motion, attested, stuff.label)
         act = replace(attested, way=(how.motion, (how.tool,) if how.tool else ()))
         bench.act(stuff, act, tuple(sorted({*kept, state})), how.on)

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from foon_kg.food import Food, Tables, singular, words
-from foon_kg.food.lists import says, word_list
+from foon_kg.food.lists import says, word_list, word_lists
 from foon_kg.food.rows import POWDER, State
 from foon_kg.food.told_states import asked_state, in_turn
 from foon_kg.food.workings import working
@@ -128,14 +128,26 @@ def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Op
     other = _misread(want) or _worked_or_foamed(want, known)
     if other is not None or not state:
         return other or want
-    if facts.sold_as == state:
-        return replace(want, leaf=(state,))
+    bought = _as_bought(want)
+    if bought is not None:
+        return bought
     row = known.state(state)
     if _is_had_so(facts, row):
         return _as_had(want, plain, known, operators)
     if _is_given_by_heat(want, row):
         return _as_heated(want, known)
     return _otherwise(want, row, operators)
+
+
+def _as_bought(want: Want) -> Want | None:
+    """Return a food that is asked as a shop has it; ``None`` where it is not asked so."""
+    facts, state = want.facts, want.asked
+    if facts.sold_as == state:
+        return replace(want, leaf=(state,))
+    if facts.is_any(word_lists().get(f"is bought {state}", ())):
+        return replace(want, leaf=(state,), bought_so=True)
+    ready = facts.is_any(word_list("is ready when it is bought"))
+    return want if ready and state in word_list("is so when it is bought ready") else None
 
 
 def _facts(one: RequiredIngredient, known: Tables) -> Food:
@@ -231,6 +243,8 @@ def _cut_as(want: Want) -> str:
 def _worked_or_foamed(want: Want, known: Tables) -> Want | None:
     """Return a food that hands bring into the asked state in a way of its own, or a liquid that is whipped."""
     worked = working(want.asked, want.facts) is not None and not known.state(want.asked).sold
+    if worked and want.asked in word_list("is so when it has thawed"):
+        want = replace(want, leaf=(min(word_list("is so before it thaws")),))
     return replace(want, make=want.asked) if worked else _foamed(want, known.foods.food(want.label))
 
 
