@@ -84,6 +84,26 @@ def test_rice_served_beside_a_stew_is_boiled_when_that_is_ready(steps):
     assert next(place for place, (inputs, _, _) in enumerate(told) if "long-grain rice" in inputs) > simmered
 
 
+def test_rice_is_boiled_before_what_is_only_fried_and_lies_under_it(steps):
+    told = steps(
+        "stir-fry", "Beef Stir-Fry", "beef:sliced", "bell pepper:sliced", "onion:sliced", "soy sauce:liquid",
+        "oil:liquid", "rice:cooked",
+    )  # fmt: skip
+    assert first(told, "rice", "cook") < next(place for place, (inputs, _, _) in enumerate(told) if "oil" in inputs)
+    *_, (inputs, _, outputs) = told
+    assert "cooking pan" in inputs
+    assert "rice" in {food for node in outputs for food in node.ingredients}
+
+
+def test_a_stew_comes_on_the_flatbread_that_it_is_served_on(steps):
+    told = steps(
+        "chicken", "Doro Wat", "chicken:pieces", "onion:chopped", "butter:melted", "berbere:ground",
+        "chicken stock:liquid", "injera:plain",
+    )  # fmt: skip
+    laid = next(place for place, (inputs, _, _) in enumerate(told) if "injera" in inputs)
+    assert "pot" in told[laid + 1][0]
+
+
 def test_what_makes_a_soup_is_not_mixed_cold_beside_it_and_sour_and_creamy_come_last(steps):
     told = steps(
         "soup", "Hungarian Mushroom Soup", "butter:stick", "onion:chopped", "mushroom:sliced", "chicken broth:liquid",

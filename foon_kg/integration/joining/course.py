@@ -135,6 +135,11 @@ class Course:
 
         return before(self.line)
 
+    def was_only_fried_before(self, stage: Stage) -> bool:
+        """Return whether the vessel of ``stage`` was heated before, and only to fry: nothing simmered or baked."""
+        hot = self.heated_before(stage)
+        return bool(hot) and all(one.does.isdisjoint({"liquid", "dry"}) for one in hot)
+
     def joins_of(self, stages: Sequence[Stage]) -> list[Join]:
         """Return the foods that join ``stages``, those of the lines that join these left out."""
         return [join for stage in stages for join in self.ordered(stage)]

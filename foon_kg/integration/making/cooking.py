@@ -110,11 +110,16 @@ class Cooking:
                 self.alone.preparer.rinse(ready, "washed")
 
     def _waits_for_the_rest(self, join: Join) -> bool:
-        """Whether a food is boiled by itself when its sauce is ready, or what it is served beside."""
+        """Whether a food is boiled by itself when its sauce is ready, or what it is served beside.
+
+        Grain waits for what is only fried, which is done in a moment and good then only; a stew waits for it.
+        """
         stage, facts = join.spot.stage, join.want.facts
         if facts.is_any(word_list("is boiled by itself")):
             return self.stages.is_boiled_late(join)
         beside = facts.is_any(word_list("is boiled when the rest is ready"))
+        if facts.is_any(word_list("is boiled before the rest is fried")) and self.course.was_only_fried_before(stage):
+            return False
         return beside and self.stages.is_served_beside(stage)
 
     # --- lines ---

@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 from operator import attrgetter
 
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, Stuff, Vessel, is_flat, is_heated
+from foon_kg.integration.bench import Bench, Stuff, Vessel, fineness, is_flat, is_heated
 from foon_kg.integration.joining.batters import binds
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.spots import Join, only_carries
 from foon_kg.integration.making.bakeware import Bakeware
 from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.consistency import is_wet
@@ -43,7 +43,9 @@ class Placing(Hands):
         stage = turn.stage
         device, relation = self.utensils.device_for(stage)
         label = self._label_for(stage, vessel, incoming, dressed=dressed)
-        placed = self._vessel_for(stage, label, vessel, incoming)
+        if vessel is None and is_flat(label):
+            incoming.joins.sort(key=lambda join: not self._is_bed(join, stage))
+        placed = self._vessel_for(turn, label, vessel, incoming)
         heats = self._is_heated(stage)
         stays = heats and placed.device is not None and placed.device.label == device
         if not stays and not self.stages.heats_on(stage, turn.later, placed):
@@ -98,11 +100,12 @@ class Placing(Hands):
             return False
         return self._is_wet(vessel) and not self.plan.has_a_side
 
-    def _vessel_for(self, stage: Stage, label: str, vessel: Vessel | None, incoming: Incoming) -> Vessel:
-        """Return the vessel of a stage, called ``label``, with what was in ``vessel``.
+    def _vessel_for(self, turn: Turn, label: str, vessel: Vessel | None, incoming: Incoming) -> Vessel:
+        """Return the vessel of the stage of ``turn``, called ``label``, with what was in ``vessel``.
 
         Where nothing was yet, that of what joins serves.
         """
+        stage = turn.stage
         if vessel is None:
             return self._first_vessel(stage, label, incoming)
         if vessel.label == label:
@@ -111,7 +114,7 @@ class Placing(Hands):
         fresh = self.bench.vessel(label)
         device, relation = self.utensils.device_for(stage)
         self._stand(fresh, stage, device if relation == "on" else "")
-        under = self._lay_under(stage, fresh, incoming)
+        under = self._lay_under(turn, fresh, incoming, hot=vessel.hot)
         if not under:
             self.grease(fresh, vessel)
         hot_first = under or not self._is_wet(vessel)
@@ -121,13 +124,28 @@ class Placing(Hands):
         self.carry.transfer(vessel, fresh, stage, whole=self.stages.lies_baked(vessel) or stage.does == {"cut"})
         return fresh
 
-    def _lay_under(self, stage: Stage, fresh: Vessel, incoming: Incoming) -> bool:
-        """Bring into a fresh vessel what comes there before what is cooked in it; return whether anything does."""
-        under = incoming.take(self.lies_under) if self._bakes(fresh.label) else []
+    def _lay_under(self, turn: Turn, fresh: Vessel, incoming: Incoming, *, hot: bool) -> bool:
+        """Bring into a fresh vessel what comes there before what is cooked in it, or comes into it ``hot``.
+
+        Return whether anything does.
+        """
+        under: Sequence[Join] = ()
+        if self._bakes(fresh.label):
+            under = incoming.take(self.lies_under)
+        elif hot:
+            under = [join for join in self._beds(turn) if not self._is_tossed(join, fresh)]
+            incoming.take(under.__contains__)
         for join in under:
             self.bring(join, fresh)
-            self.course.at[id(stage)].remove(join)
+            self.course.at[id(join.spot.stage)].remove(join)
         return bool(under)
+
+    def _beds(self, turn: Turn) -> list[Join]:
+        """Return what lies under a dish that is only served from now on, whenever it would come."""
+        stages = (turn.stage, *turn.later)
+        if not all(map(only_carries, stages)):
+            return []
+        return [join for stage in stages for join in self.course.ordered(stage) if self._is_bed(join, stage)]
 
     def _is_wet(self, vessel: Vessel) -> bool:
         return any(is_wet(stuff, self.known) for stuff in vessel.contents)
@@ -140,6 +158,21 @@ class Placing(Hands):
         """Return whether that of ``join`` comes before what is cooked in its vessel: fat, and what lies under dough."""
         under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
         return join.layer < 0 or join.want.facts.is_any(under)
+
+    def _is_bed(self, join: Join, stage: Stage) -> bool:
+        """Whether that of ``join`` lies under the dish where ``stage`` only serves it: rice, a leaf in one piece."""
+        plan, want = self.plan, join.want
+        if plan.stacked or plan.laid or plan.drunk or not only_carries(stage):
+            return False
+        if want.facts.is_any(word_list("lies under what is served")):
+            return True
+        in_one = fineness([state for state in (want.make, *want.leaf) if state], self.known) == 0
+        return in_one and want.facts.is_any(word_list("is a leaf to serve on"))
+
+    @staticmethod
+    def _is_tossed(join: Join, vessel: Vessel) -> bool:
+        """Whether that of ``join`` is stirred into what is served in a ``vessel``."""
+        return not is_flat(vessel.label) and join.want.facts.is_any(word_list("is stirred into what is done"))
 
     def _first_vessel(self, stage: Stage, label: str, incoming: Incoming) -> Vessel:
         """Return a vessel for what begins: that of a line or of a food that is in such a one, else a fresh one."""
@@ -200,7 +233,8 @@ class Placing(Hands):
         waiting = list(incoming.lines)
         heats = self._is_heated(stage)
         for join in incoming.joins:
-            if not _comes_before_lines(join, stage) and not (heats and join.want.facts.is_a("fat")):
+            first = _comes_before_lines(join, stage) or (not self.plan.by_table and self._is_bed(join, stage))
+            if not first and not (heats and join.want.facts.is_a("fat")):
                 found += waiting
                 waiting = []
             found.append(join)
