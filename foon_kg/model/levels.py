@@ -24,7 +24,12 @@ class Level(IntEnum):
 
 
 def node_at(node: ObjectNode, level: Level) -> ObjectNode:
-    """Return what is left of ``node`` at ``level``."""
+    """Return what is left of ``node`` at ``level``.
+
+    >>> bowl = ObjectNode("bowl", ("used",), ("egg", "milk"))
+    >>> str(node_at(bowl, Level.OBJECTS)), str(node_at(bowl, Level.STATES))
+    ('bowl', 'bowl (used)')
+    """
     if level is Level.INGREDIENTS:
         return node
     return ObjectNode(node.label) if level is Level.OBJECTS else replace(node, ingredients=())
@@ -42,14 +47,23 @@ class Leveller:
     _distinct: dict[ObjectNode, ObjectNode] = field(default_factory=dict)
 
     def node(self, node: ObjectNode) -> ObjectNode:
-        """Return what is left of ``node``."""
+        """Return what is left of ``node``.
+
+        >>> str(Leveller(Level.OBJECTS).node(ObjectNode("onion", ("chopped",))))
+        'onion'
+        """
         if node not in self._nodes:
             found = node_at(node, self.level)
             self._nodes[node] = self._distinct.setdefault(found, found)
         return self._nodes[node]
 
     def unit(self, unit: FunctionalUnit) -> FunctionalUnit:
-        """Return what is left of ``unit``: the same motion; object nodes that have become one count once."""
+        """Return what is left of ``unit``: the same motion; object nodes that have become one count once.
+
+        >>> side = tuple(Participant(ObjectNode("onion", (state,))) for state in ("whole", "chopped"))
+        >>> len(Leveller(Level.OBJECTS).unit(FunctionalUnit(side, "mix", ())).inputs)
+        1
+        """
         if self.level is Level.INGREDIENTS:
             return unit
         return replace(unit, inputs=self._side(unit.inputs), outputs=self._side(unit.outputs))
@@ -67,7 +81,13 @@ class Leveller:
 
 
 def units_at(units: Iterable[KnownUnit], level: Level) -> tuple[KnownUnit, ...]:
-    """Return the distinct units at ``level``, sorted by key, each as its first sighting has it."""
+    """Return the distinct units at ``level``, sorted by key, each as its first sighting has it.
+
+    >>> beat = FunctionalUnit((Participant(ObjectNode("egg", ("cracked",))),), "beat", ())
+    >>> same = FunctionalUnit((Participant(ObjectNode("egg", ("raw",))),), "beat", ())
+    >>> len(units_at([KnownUnit(beat, ()), KnownUnit(same, ())], Level.OBJECTS))
+    1
+    """
     if level is Level.INGREDIENTS:
         return tuple(sorted(units, key=lambda known: known.unit.key))
     groups: defaultdict[str, list[KnownUnit]] = defaultdict(list)

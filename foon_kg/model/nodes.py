@@ -56,7 +56,11 @@ class ObjectNode:
 
     @cached_property
     def sort_key(self) -> NodeSortKey:
-        """Return the place of this node in a total order, the same in every run: the last word in every tie (C9)."""
+        """Return the place of this node in a total order, the same in every run: the last word in every tie (C9).
+
+        >>> ObjectNode("onion", ("chopped",), (), "in", "bowl").sort_key
+        ('onion', ('chopped',), (), 'in', 'bowl')
+        """
         return (self.label, self.states, self.ingredients, self.relation or "", self.container or "")
 
     @cached_property
@@ -72,7 +76,11 @@ class ObjectNode:
 
     @cached_property
     def key(self) -> str:
-        """The content hash under which the graph keeps this node."""
+        """The content hash under which the graph keeps this node.
+
+        >>> ObjectNode("onion", ("peeled", "chopped")).key == ObjectNode("onion", ("chopped", "peeled")).key
+        True
+        """
         return content_key(self.label, self.states, self.ingredients, self.relation, self.container)
 
     def __str__(self) -> str:
@@ -95,6 +103,9 @@ def shared_node(
     """Return the node with this ``label``, these ``states``, ``ingredients``, ``relation`` and ``container``.
 
     Where one was asked for of late it is the same, which is told at a glance to be equal.
+
+    >>> shared_node("onion", ("chopped",)) is shared_node("onion", ("chopped",))
+    True
     """
     return ObjectNode(label, states, ingredients, relation, container)
 
@@ -124,17 +135,31 @@ class FunctionalUnit:
 
     @cached_property
     def input_nodes(self) -> tuple[ObjectNode, ...]:
-        """The distinct input nodes, in the order of annotation."""
+        """The distinct input nodes, in the order of annotation.
+
+        >>> bowls = (Participant(ObjectNode("bowl")), Participant(ObjectNode("bowl")), Participant(ObjectNode("egg")))
+        >>> [node.label for node in FunctionalUnit(bowls, "mix", ()).input_nodes]
+        ['bowl', 'egg']
+        """
         return tuple(dict.fromkeys(p.node for p in self.inputs))
 
     @cached_property
     def output_nodes(self) -> tuple[ObjectNode, ...]:
-        """The distinct output nodes, in the order of annotation."""
+        """The distinct output nodes, in the order of annotation.
+
+        >>> FunctionalUnit((), "mix", (Participant(ObjectNode("salad")), Participant(ObjectNode("salad")))).output_nodes
+        (ObjectNode(label='salad', states=(), ingredients=(), relation=None, container=None),)
+        """
         return tuple(dict.fromkeys(p.node for p in self.outputs))
 
     @cached_property
     def key(self) -> str:
-        """The content hash under which the graph keeps this unit (its motion node)."""
+        """The content hash under which the graph keeps this unit (its motion node).
+
+        >>> egg, moved = Participant(ObjectNode("egg")), Participant(ObjectNode("egg"), moving=True)
+        >>> FunctionalUnit((egg,), "beat", ()).key == FunctionalUnit((moved,), "beat", ()).key
+        True
+        """
         return content_key(
             sorted(node.key for node in self.input_nodes),
             self.motion,
@@ -156,12 +181,20 @@ class Timing:
 
     @property
     def start(self) -> float | None:
-        """The first second in which the action is seen, or ``None``."""
+        """The first second in which the action is seen, or ``None``.
+
+        >>> Timing(((40.0, 44.0), (12.0, 31.0))).start
+        12.0
+        """
         return min((start for start, _ in self.spans), default=None)
 
     @property
     def end(self) -> float | None:
-        """The last second in which the action is seen, or ``None``."""
+        """The last second in which the action is seen, or ``None``.
+
+        >>> Timing(((40.0, 44.0), (12.0, 31.0))).end
+        44.0
+        """
         return max((end for _, end in self.spans), default=None)
 
 
@@ -217,7 +250,12 @@ class Subgraph:
 
     @cached_property
     def content_key(self) -> str:
-        """Return a hash of everything in it: an equal hash means that loading it again would change nothing."""
+        """Return a hash of everything in it: an equal hash means that loading it again would change nothing.
+
+        >>> beat = Annotation(FunctionalUnit((), "beat", ()))
+        >>> Subgraph("omelette", (beat,)).content_key == Subgraph("omelette", (beat, beat)).content_key
+        False
+        """
         return content_key(self.name, self.sources, [_annotation_as_json(a) for a in self.annotations])
 
 
@@ -254,7 +292,12 @@ class KnownUnit:
 
 
 def sightings_of(subgraph: Subgraph) -> Iterator[tuple[FunctionalUnit, Sighting]]:
-    """Yield each unit of ``subgraph`` in its order, with its place; the first source stands for the video."""
+    """Yield each unit of ``subgraph`` in its order, with its place; the first source stands for the video.
+
+    >>> beat = Annotation(FunctionalUnit((), "beat", ()), Timing(((12.0, 31.0),)))
+    >>> [(seen.video, seen.position, seen.start) for _, seen in sightings_of(Subgraph("omelette", (beat, beat)))]
+    [('omelette', 0, 12.0), ('omelette', 1, 12.0)]
+    """
     source = subgraph.sources[0] if subgraph.sources else None
     for position, annotation in enumerate(subgraph.annotations):
         start, end = annotation.timing.start, annotation.timing.end
@@ -262,7 +305,12 @@ def sightings_of(subgraph: Subgraph) -> Iterator[tuple[FunctionalUnit, Sighting]
 
 
 def steps_of(subgraph: Subgraph) -> Iterator[KnownUnit]:
-    """Yield each unit of ``subgraph`` in its order, seen where it says so: in a task tree's file no unit was seen."""
+    """Yield each unit of ``subgraph`` in its order, seen where it says so: in a task tree's file no unit was seen.
+
+    >>> made = Annotation(FunctionalUnit((), "beat", ()), seen_in=(Sighting("omelette", 3),))
+    >>> [known.seen_in[0].position for known in steps_of(Subgraph("plan", (made,)))]
+    [3]
+    """
     is_tree = any(annotation.seen_in is not None for annotation in subgraph.annotations)
     for annotation, (unit, sighting) in zip(subgraph.annotations, sightings_of(subgraph), strict=True):
         yield KnownUnit(unit, (annotation.seen_in or ()) if is_tree else (sighting,))

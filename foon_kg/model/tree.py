@@ -38,7 +38,11 @@ class Mention(NamedTuple):
 
     @property
     def identity(self) -> ObjectNode | int:
-        """What tells this thing from others: its number, where it has one; two bowls may have equal nodes."""
+        """What tells this thing from others: its number, where it has one; two bowls may have equal nodes.
+
+        >>> Mention(ObjectNode("bowl"), thing=3).identity, Mention(ObjectNode("bowl")).identity == ObjectNode("bowl")
+        (3, True)
+        """
         return self.node if self.thing is None else self.thing
 
 
@@ -87,6 +91,10 @@ class TreeUnit:
         """Return ``unit`` as it stands as a step; repeated nodes count once, and things have no numbers.
 
         ``origin`` and ``seen_in`` say what speaks for it, where anybody can say.
+
+        >>> egg = Participant(ObjectNode("egg"))
+        >>> len(TreeUnit.of(FunctionalUnit((egg, egg), "beat", ()), "foon").taken)
+        1
         """
         moving = frozenset(p.node for p in (*unit.inputs, *unit.outputs) if p.moving)
         step = Step.of(unit.input_nodes, unit.motion, unit.output_nodes)
@@ -94,52 +102,98 @@ class TreeUnit:
 
     @property
     def motion(self) -> str:
-        """What is done."""
+        """What is done.
+
+        >>> TreeUnit(Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))])).motion
+        'chop'
+        """
         return self.step.motion
 
     @property
     def taken(self) -> tuple[Mention, ...]:
-        """The inputs with their numbers."""
+        """The inputs with their numbers.
+
+        >>> TreeUnit(Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))])).taken[0].node.label
+        'onion'
+        """
         return self.step.inputs
 
     @property
     def made(self) -> tuple[Mention, ...]:
-        """The outputs with their numbers."""
+        """The outputs with their numbers.
+
+        >>> TreeUnit(Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))])).made[0].node.states
+        ('chopped',)
+        """
         return self.step.outputs
 
     @property
     def sightings(self) -> tuple[Sighting, ...]:
-        """Where it was seen; nothing where the source of the tree cannot say."""
+        """Where it was seen; nothing where the source of the tree cannot say.
+
+        >>> TreeUnit(Step.of([], "chop", [])).sightings
+        ()
+        """
         return self.seen_in or ()
 
     @cached_property
     def input_nodes(self) -> tuple[ObjectNode, ...]:
-        """The nodes that go in."""
+        """The nodes that go in.
+
+        >>> chop = TreeUnit(Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))]))
+        >>> [str(node) for node in chop.input_nodes]
+        ['onion']
+        """
         return tuple(mention.node for mention in self.step.inputs)
 
     @cached_property
     def output_nodes(self) -> tuple[ObjectNode, ...]:
-        """The nodes that come out."""
+        """The nodes that come out.
+
+        >>> chop = TreeUnit(Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))]))
+        >>> [str(node) for node in chop.output_nodes]
+        ['onion (chopped)']
+        """
         return tuple(mention.node for mention in self.step.outputs)
 
     @cached_property
     def identity(self) -> tuple[object, ...]:
-        """What is done to which things: equal for two units that are the same."""
+        """What is done to which things: equal for two units that are the same.
+
+        >>> one, other = (Step((Mention(ObjectNode("bowl"), thing),), "wash", ()) for thing in (1, 2))
+        >>> TreeUnit(one).identity == TreeUnit(other).identity
+        False
+        """
         return (frozenset(self.step.inputs), self.motion, frozenset(self.step.outputs))
 
     @cached_property
     def nodes_key(self) -> tuple[object, ...]:
-        """What is done to what, whichever things they are: as the FOON knows a unit."""
+        """What is done to what, whichever things they are: as the FOON knows a unit.
+
+        >>> one, other = (Step((Mention(ObjectNode("bowl"), thing),), "wash", ()) for thing in (1, 2))
+        >>> TreeUnit(one).nodes_key == TreeUnit(other).nodes_key
+        True
+        """
         return (frozenset(self.input_nodes), self.motion, frozenset(self.output_nodes))
 
     @cached_property
     def new_outputs(self) -> tuple[ObjectNode, ...]:
-        """The outputs that are no inputs: what the step makes. A thing with a number is another than its like."""
+        """The outputs that are no inputs: what the step makes. A thing with a number is another than its like.
+
+        >>> knife, onion = ObjectNode("knife"), ObjectNode("onion")
+        >>> TreeUnit(Step.of([onion, knife], "chop", [ObjectNode("onion", ("chopped",)), knife])).new_outputs[0].states
+        ('chopped',)
+        """
         inputs = set(self.step.inputs)
         return tuple(mention.node for mention in self.step.outputs if mention not in inputs)
 
     def as_unit(self, goal: ObjectNode | None = None, dish_type: str | None = None) -> FunctionalUnit:
-        """Return the functional unit; an output that equals ``goal`` is marked as the end product of ``dish_type``."""
+        """Return the functional unit; an output that equals ``goal`` is marked as the end product of ``dish_type``.
+
+        >>> step = TreeUnit(Step.of([ObjectNode("lettuce")], "mix", [ObjectNode("salad")]))
+        >>> step.as_unit(ObjectNode("salad"), "salad").outputs[0].dish_type
+        'salad'
+        """
         inputs = tuple(Participant(node, node in self.moving) for node in self.input_nodes)
         outputs = tuple(
             Participant(node, node in self.moving, dish_type if node == goal else None) for node in self.output_nodes
@@ -164,6 +218,11 @@ def leaves_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
 
     ``units`` are in the order of execution. A node that its first taker puts back as it was is a leaf too, or a stove
     could be on without anybody having turned it on.
+
+    >>> whole, cut, fried = (ObjectNode("onion", (state,)) for state in ("whole", "chopped", "fried"))
+    >>> units = [TreeUnit(Step.of([whole], "chop", [cut])), TreeUnit(Step.of([cut], "fry", [fried]))]
+    >>> [str(node) for node in leaves_of(units)]
+    ['onion (whole)']
     """
     there: set[ObjectNode] = set()
     leaves: dict[ObjectNode, None] = {}
@@ -177,6 +236,10 @@ def things_found(units: Iterable[TreeUnit]) -> dict[ObjectNode, tuple[int, ...]]
     """Return the numbers of the things that each node is before the first step; of trees without numbers nothing.
 
     ``units`` are in the order of execution. Two bowls that are both found empty are two numbers of one node.
+
+    >>> bowl = ObjectNode("bowl", ("empty",))
+    >>> things_found([TreeUnit(Step((Mention(bowl, 1), Mention(bowl, 2)), "stack", ()))]) == {bowl: (1, 2)}
+    True
     """
     found: dict[ObjectNode, tuple[int, ...]] = {}
     seen: set[int] = set()
@@ -190,19 +253,37 @@ def things_found(units: Iterable[TreeUnit]) -> dict[ObjectNode, tuple[int, ...]]
 
 
 def newly_made(unit: TakesAndMakes) -> list[ObjectNode]:
-    """Return the nodes that ``unit`` puts out and did not take: what was only held or passed on is none of them."""
+    """Return the nodes that ``unit`` puts out and did not take: what was only held or passed on is none of them.
+
+    >>> knife, onion, cut = ObjectNode("knife"), ObjectNode("onion"), ObjectNode("onion", ("chopped",))
+    >>> chop = TreeUnit(Step.of([onion, knife], "chop", [cut, knife]))
+    >>> [str(node) for node in newly_made(chop)]
+    ['onion (chopped)']
+    """
     taken = set(unit.input_nodes)
     return [node for node in unit.output_nodes if node not in taken]
 
 
 def used_up(unit: TakesAndMakes) -> list[ObjectNode]:
-    """Return the nodes that ``unit`` takes and does not leave as they were: moved, changed, or gone into another."""
+    """Return the nodes that ``unit`` takes and does not leave as they were: moved, changed, or gone into another.
+
+    >>> knife, onion, cut = ObjectNode("knife"), ObjectNode("onion"), ObjectNode("onion", ("chopped",))
+    >>> chop = TreeUnit(Step.of([onion, knife], "chop", [cut, knife]))
+    >>> [str(node) for node in used_up(chop)]
+    ['onion']
+    """
     left = set(unit.output_nodes)
     return [node for node in unit.input_nodes if node not in left]
 
 
 def nodes_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
-    """Return every object node of ``units`` once, in the order of appearance."""
+    """Return every object node of ``units`` once, in the order of appearance.
+
+    >>> whole, cut, fried = (ObjectNode("onion", (state,)) for state in ("whole", "chopped", "fried"))
+    >>> units = [TreeUnit(Step.of([whole], "chop", [cut])), TreeUnit(Step.of([cut], "fry", [fried]))]
+    >>> [str(node) for node in nodes_of(units)]
+    ['onion (whole)', 'onion (chopped)', 'onion (fried)']
+    """
     return tuple(dict.fromkeys(node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)))
 
 
@@ -228,12 +309,24 @@ class TaskTree:
 
     @cached_property
     def made(self) -> dict[ObjectNode, tuple[int, ...]]:
-        """The places of the units that output each node without having taken it."""
+        """The places of the units that output each node without having taken it.
+
+        >>> whole, cut, fried = (ObjectNode("onion", (state,)) for state in ("whole", "chopped", "fried"))
+        >>> units = [TreeUnit(Step.of([whole], "chop", [cut])), TreeUnit(Step.of([cut], "fry", [fried]))]
+        >>> TaskTree("fried onion", tuple(units)).made[fried]
+        (1,)
+        """
         return _places([unit.new_outputs for unit in self.units])
 
     @cached_property
     def takers(self) -> dict[ObjectNode, tuple[int, ...]]:
-        """The places of the units that take each node."""
+        """The places of the units that take each node.
+
+        >>> whole, cut, fried = (ObjectNode("onion", (state,)) for state in ("whole", "chopped", "fried"))
+        >>> units = [TreeUnit(Step.of([whole], "chop", [cut])), TreeUnit(Step.of([cut], "fry", [fried]))]
+        >>> TaskTree("fried onion", tuple(units)).takers[whole]
+        (0,)
+        """
         return _places([unit.input_nodes for unit in self.units])
 
     @cached_property
