@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -31,59 +32,62 @@ def commands(group, words=()):
             yield (*words, name), command
 
 
-COMMANDS = dict(commands(typer.main.get_command(app)))
-every_command = pytest.mark.parametrize("words", COMMANDS, ids=" ".join)
+@cache
+def every_command():
+    found = dict(commands(typer.main.get_command(app)))
+    assert len(found) > 25
+    return found
 
 
-@every_command
-def test_every_command_and_option_explains_itself(words):
-    command = COMMANDS[words]
-    assert command.help
-    assert [p.name for p in command.params if not getattr(p, "help", None)] == []
-    first = command.help.split("\n\n")[0]
-    assert first.endswith((".", ":")), first
-
-
-@every_command
-def test_every_command_has_examples_that_call_it(words):
-    epilog = COMMANDS[words].epilog or ""
-    calls = [line.strip() for line in epilog.splitlines() if line.strip().startswith("foon ")]
-    assert calls
-    assert all(" ".join(["foon", *words]) in call for call in calls)
-
-
-@every_command
-def test_every_option_in_an_example_exists(words):
-    known = {option for p in COMMANDS[words].params for option in p.opts} | {"-h", "--help"}
-    used = set(re.findall(r"(?<=\s)--?[a-z][a-z-]*", COMMANDS[words].epilog or ""))
-    assert used <= known
-
-
-@every_command
-def test_a_page_shows_how_to_use_every_command(words):
-    text = "\n".join(page.read_text(encoding="utf-8") for page in PAGES)
-    assert re.search(rf"^(?:    )?foon {' '.join(words)}\b", text, re.MULTILINE), (
-        f"no how-to has foon {' '.join(words)}"
-    )
-
-
-@every_command
-def test_help_names_what_is_given_and_no_type_of_python(words):
-    shown = CliRunner().invoke(app, [*words, "--help"]).stdout
-    assert not re.search(r"<(?:str|int|float|path|Path|list\W|\w+ range)", shown)
-    assert not re.search(r"[{}]|\.\.\.\W*\.\.\.", shown.splitlines()[0])
-
-
-@pytest.mark.parametrize("words", [(), ("server",), ("load",), ("evaluate",), *COMMANDS], ids=" ".join)
-def test_help_fits_a_terminal(words):
+@cache
+def shown(words):
+    """Return the help of a command, or of the group that these words name."""
     answer = CliRunner().invoke(app, [*words, "--help"])
     assert answer.exit_code == 0
-    assert max(map(len, answer.stdout.splitlines())) <= 80
+    return answer.stdout
+
+
+def test_every_command_and_option_explains_itself():
+    helps = {words: (command.help or "").split("\n\n")[0] for words, command in every_command().items()}
+    assert {words: text for words, text in helps.items() if not text.endswith((".", ":"))} == {}
+    options = [(words, one) for words, command in every_command().items() for one in command.params]
+    assert [(words, one.name) for words, one in options if not getattr(one, "help", None)] == []
+
+
+def test_every_command_has_examples_that_call_it():
+    for words, command in every_command().items():
+        calls = [line.strip() for line in (command.epilog or "").splitlines() if line.strip().startswith("foon ")]
+        assert calls, words
+        assert all(" ".join(["foon", *words]) in call for call in calls), words
+
+
+def test_every_option_in_an_example_exists():
+    for words, command in every_command().items():
+        known = {option for p in command.params for option in p.opts} | {"-h", "--help"}
+        used = set(re.findall(r"(?<=\s)--?[a-z][a-z-]*", command.epilog or ""))
+        assert used <= known, words
+
+
+def test_a_page_shows_how_to_use_every_command():
+    text = "\n".join(page.read_text(encoding="utf-8") for page in PAGES)
+    called = [" ".join(("foon", *words)) for words in every_command()]
+    assert [one for one in called if not re.search(rf"^(?:    )?{one}\b", text, re.MULTILINE)] == []
+
+
+def test_help_names_what_is_given_and_no_type_of_python():
+    for words in every_command():
+        assert not re.search(r"<(?:str|int|float|path|Path|list\W|\w+ range)", shown(words)), words
+        assert not re.search(r"[{}]|\.\.\.\W*\.\.\.", shown(words).splitlines()[0]), words
+
+
+def test_help_fits_a_terminal():
+    told = [(), ("server",), ("load",), ("evaluate",), *every_command()]
+    assert {words: wide for words in told if (wide := max(map(len, shown(words).splitlines()))) > 80} == {}
 
 
 @pytest.mark.parametrize("words", [(), ("server",), ("load",), ("evaluate",)], ids=" ".join)
 def test_the_list_of_commands_cuts_no_sentence(words):
-    listed = CliRunner().invoke(app, [*words, "--help"]).stdout.split("--help", 1)[1]
+    listed = shown(words).split("--help", 1)[1]
     assert "..." not in listed
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import cache
 
 import pytest
 import typer
@@ -24,31 +25,32 @@ def commands(group, words=()):
             yield (*words, name), command
 
 
-COMMANDS = dict(commands(typer.main.get_command(app)))
-every_command = pytest.mark.parametrize("words", COMMANDS, ids=" ".join)
+@cache
+def options():
+    """Return the options of every command, by the words that call it."""
+    return {
+        words: [param for param in command.params if param.param_type_name == "option"]
+        for words, command in commands(typer.main.get_command(app))
+    }
 
 
-def options(words):
-    return [param for param in COMMANDS[words].params if param.param_type_name == "option"]
+def test_every_command_answers_in_json():
+    without = [words for words, told in options().items() if not any("--json" in option.opts for option in told)]
+    assert without == [SPEAKS_JSON]
 
 
-@every_command
-def test_every_command_answers_in_json(words):
-    assert any("--json" in option.opts for option in options(words)) or words == SPEAKS_JSON
+def test_an_option_has_the_same_short_name_everywhere():
+    for words, told in options().items():
+        found = {name: option.opts for option in told for name in option.opts if name.startswith("--")}
+        for name, short in SHORT.items():
+            assert name not in found or short in found[name], (words, name)
+        taken = {short: name for name, opts in found.items() for short in opts if not short.startswith("--")}
+        assert taken.items() <= {short: name for name, short in SHORT.items()}.items(), words
 
 
-@every_command
-def test_an_option_has_the_same_short_name_everywhere(words):
-    found = {name: option.opts for option in options(words) for name in option.opts if name.startswith("--")}
-    for name, short in SHORT.items():
-        assert name not in found or short in found[name], name
-    taken = {short: name for name, opts in found.items() for short in opts if not short.startswith("--")}
-    assert taken.items() <= {short: name for name, short in SHORT.items()}.items()
-
-
-@every_command
-def test_how_many_is_asked_with_one_word(words):
-    assert {"--most", "--max", "--count", "--top"}.isdisjoint(name for option in options(words) for name in option.opts)
+def test_how_many_is_asked_with_one_word():
+    named = {name for told in options().values() for option in told for name in option.opts}
+    assert named.isdisjoint({"--most", "--max", "--count", "--top"})
 
 
 @pytest.fixture(scope="module")
