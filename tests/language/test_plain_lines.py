@@ -1,8 +1,8 @@
 import random
 from dataclasses import replace
-from importlib.util import find_spec
 
 import pytest
+from extras import needs, reads_lines_fully
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -14,10 +14,8 @@ from foon_kg.language.recipe_lines import read_fully
 from foon_kg.model.names import canonical
 from foon_kg.similarity.groups import food_groups
 
-needs_the_parser = pytest.mark.skipif(
-    find_spec("ingredient_parser") is None,
-    reason="the extra 'recipes' is not installed: pip install 'foon-kg[recipes]'",
-)
+pytestmark = reads_lines_fully
+needs_the_parser = needs("ingredient_parser")
 
 WORDINGS = (
     "{number} {unit} {food}",

@@ -1,9 +1,9 @@
 import subprocess
 import sys
 from dataclasses import replace
-from importlib.util import find_spec
 
 import pytest
+from extras import needs, reads_lines_fully
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -11,10 +11,8 @@ from foon_kg.language import recipe_lines
 from foon_kg.language.recipe_lines import LineReader, RecipeLine, read_fully, read_recipe_lines
 from foon_kg.model.errors import FoonError
 
-pytestmark = pytest.mark.skipif(  # looked for, not imported: an import before ours would try to download a tagger
-    find_spec("ingredient_parser") is None,
-    reason="the extra 'recipes' is not installed: pip install 'foon-kg[recipes]'",
-)
+# looked for, not imported: an import before ours would try to download a tagger
+pytestmark = [needs("ingredient_parser"), reads_lines_fully]
 
 
 def read(line):

@@ -23,7 +23,6 @@ STAGES = frozenset({"partly cooked"})
 SAME_IN_THE_PLURAL = frozenset({"berries", "leaves"})
 RESULTS: list[ReadResult] = sorted(read_path(demo_folder()), key=lambda result: str(result.path))
 SUBGRAPHS: list[Subgraph] = [result.subgraph for result in RESULTS if result.subgraph is not None]
-every_subgraph = pytest.mark.parametrize("subgraph", SUBGRAPHS, ids=lambda subgraph: subgraph.name)
 every_recipe = pytest.mark.parametrize("path", demo_recipes(), ids=lambda path: path.stem)
 
 SPELLING = """
@@ -97,67 +96,72 @@ def test_there_are_enough_recipes_of_each_dish_type() -> None:
     assert sum(counts.values()) == len(SUBGRAPHS)
 
 
-@every_subgraph
-def test_a_subgraph_runs_in_order_and_nothing_is_taken_twice(subgraph: Subgraph) -> None:
-    there: set[ObjectNode] = set(leaves_of(subgraph))
-    for position, unit in enumerate(units_of(subgraph)):
-        missing = [str(node) for node in unit.input_nodes if node not in there]
-        assert missing == [], f"unit {position} ({unit.motion}) lacks {missing}"
-        there -= {node for node in unit.input_nodes if holds_food(node)}
-        there |= set(unit.output_nodes)
+def test_a_subgraph_runs_in_order_and_nothing_is_taken_twice() -> None:
+    for subgraph in SUBGRAPHS:
+        there: set[ObjectNode] = set(leaves_of(subgraph))
+        for position, unit in enumerate(units_of(subgraph)):
+            missing = [str(node) for node in unit.input_nodes if node not in there]
+            assert missing == [], f"{subgraph.name}: unit {position} ({unit.motion}) lacks {missing}"
+            there -= {node for node in unit.input_nodes if holds_food(node)}
+            there |= set(unit.output_nodes)
 
 
-@every_subgraph
-def test_every_leaf_is_at_hand(subgraph: Subgraph) -> None:
-    assert [str(leaf) for leaf in leaves_of(subgraph) if not KITCHEN.has(leaf)] == []
+def test_every_leaf_is_at_hand() -> None:
+    for subgraph in SUBGRAPHS:
+        assert [str(leaf) for leaf in leaves_of(subgraph) if not KITCHEN.has(leaf)] == [], subgraph.name
 
 
-@every_subgraph
-def test_a_device_is_turned_on_by_the_subgraph_itself(subgraph: Subgraph) -> None:
-    assert [str(leaf) for leaf in leaves_of(subgraph) if KITCHEN.is_running(leaf)] == []
+def test_a_device_is_turned_on_by_the_subgraph_itself() -> None:
+    for subgraph in SUBGRAPHS:
+        assert [str(leaf) for leaf in leaves_of(subgraph) if KITCHEN.is_running(leaf)] == [], subgraph.name
 
 
-@every_subgraph
-def test_every_unit_changes_something_and_leads_to_the_goal(subgraph: Subgraph) -> None:
-    wanted = {goal_of(subgraph)}
-    units = units_of(subgraph)
-    assert len({unit.key for unit in units}) == len(units)
-    for unit in reversed(units):
-        assert not set(unit.output_nodes) <= set(unit.input_nodes)
-        assert wanted & set(unit.output_nodes), f"{unit.motion} leads nowhere"
-        wanted |= set(unit.input_nodes)
+def test_every_unit_changes_something_and_leads_to_the_goal() -> None:
+    for subgraph in SUBGRAPHS:
+        wanted = {goal_of(subgraph)}
+        units = units_of(subgraph)
+        assert len({unit.key for unit in units}) == len(units), subgraph.name
+        for unit in reversed(units):
+            assert not set(unit.output_nodes) <= set(unit.input_nodes), subgraph.name
+            assert wanted & set(unit.output_nodes), f"{subgraph.name}: {unit.motion} leads nowhere"
+            wanted |= set(unit.input_nodes)
 
 
-@every_subgraph
-def test_the_goal_names_exactly_the_foods_that_were_taken_from_the_kitchen(subgraph: Subgraph) -> None:
-    taken = {leaf.label for leaf in leaves_of(subgraph) if KITCHEN.is_food(leaf)}
-    assert taken - set(goal_of(subgraph).ingredients) <= {"water"}  # the boiling water of potatoes is poured away
-    assert set(goal_of(subgraph).ingredients) <= taken
+def test_the_goal_names_exactly_the_foods_that_were_taken_from_the_kitchen() -> None:
+    for subgraph in SUBGRAPHS:
+        taken = {leaf.label for leaf in leaves_of(subgraph) if KITCHEN.is_food(leaf)}
+        poured_away = taken - set(goal_of(subgraph).ingredients)
+        assert poured_away <= {"water"}, subgraph.name  # in which potatoes boiled
+        assert set(goal_of(subgraph).ingredients) <= taken, subgraph.name
 
 
-@every_subgraph
-def test_only_the_last_unit_has_a_goal_and_the_size_is_that_of_a_short_video(subgraph: Subgraph) -> None:
-    *before, _ = units_of(subgraph)
-    assert [p for unit in before for p in (*unit.inputs, *unit.outputs) if p.dish_type] == []
-    assert 8 <= len(subgraph.annotations) <= 30
+def test_only_the_last_unit_has_a_goal_and_the_size_is_that_of_a_short_video() -> None:
+    for subgraph in SUBGRAPHS:
+        *before, _ = units_of(subgraph)
+        assert [p for unit in before for p in (*unit.inputs, *unit.outputs) if p.dish_type] == [], subgraph.name
+        assert 8 <= len(subgraph.annotations) <= 30, subgraph.name
 
 
-@every_subgraph
-def test_no_time_and_no_address_is_invented(subgraph: Subgraph) -> None:
-    assert subgraph.sources == ()
-    assert all(a.timing.assumed and not a.timing.spans for a in subgraph.annotations)
+def test_no_time_and_no_address_is_invented() -> None:
+    for subgraph in SUBGRAPHS:
+        assert subgraph.sources == (), subgraph.name
+        assert all(a.timing.assumed and not a.timing.spans for a in subgraph.annotations), subgraph.name
 
 
-@every_subgraph
-def test_every_word_is_spelt_as_in_the_list_and_every_name_is_singular(subgraph: Subgraph) -> None:
-    nodes = nodes_of(subgraph)
-    names = {n.label for n in nodes} | {i for n in nodes for i in n.ingredients} | {n.container or "" for n in nodes}
-    states = {state for node in nodes for state in node.states}
-    motions = {unit.motion for unit in units_of(subgraph)}
-    spelt = {word for text in names | states | motions for word in re.findall(r"[^\W_]+", text)}
-    assert spelt - KNOWN_WORDS == set()
-    assert {name for name in names if name and singular(name) != name.lower()} <= {"scissors", "smoothie"}
-    assert {s for s in states if not s.endswith("ss") and s.endswith("s")} <= SAME_IN_THE_PLURAL
+def test_every_word_is_spelt_as_in_the_list_and_every_name_is_singular() -> None:
+    for subgraph in SUBGRAPHS:
+        nodes = nodes_of(subgraph)
+        names = (
+            {n.label for n in nodes} | {i for n in nodes for i in n.ingredients} | {n.container or "" for n in nodes}
+        )
+        states = {state for node in nodes for state in node.states}
+        motions = {unit.motion for unit in units_of(subgraph)}
+        spelt = {word for text in names | states | motions for word in re.findall(r"[^\W_]+", text)}
+        assert spelt - KNOWN_WORDS == set(), subgraph.name
+        assert {name for name in names if name and singular(name) != name.lower()} <= {"scissors", "smoothie"}, (
+            subgraph.name
+        )
+        assert {s for s in states if not s.endswith("ss") and s.endswith("s")} <= SAME_IN_THE_PLURAL, subgraph.name
 
 
 def test_the_same_step_in_several_videos_is_one_unit() -> None:
@@ -200,7 +204,7 @@ def test_a_recipe_asks_for_a_dish_that_nobody_recorded(path: Path) -> None:
     asked = {(wanted["object"], wanted["state"]) for wanted in recipe["ingredients"]}
     assert len(asked) == len(recipe["ingredients"]) >= 3
     for subgraph in SUBGRAPHS:
-        assert {name for name, _ in asked} != set(goal_of(subgraph).ingredients)
+        assert {name for name, _ in asked} != set(goal_of(subgraph).ingredients), subgraph.name
 
 
 def test_the_recipes_ask_for_foods_and_states_that_the_foon_has_never_seen() -> None:
