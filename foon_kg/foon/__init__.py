@@ -286,7 +286,9 @@ class Foon(Evaluating):
             return IngredientWords(view.words_for((), names_in(texts)), Kitchen.default())
 
     def suggest(self, foods: Iterable[str], most: int = 5) -> tuple[Suggestion, ...]:
-        """Return what can be made of ``foods``, the best first; utensils among them are then the only ones.
+        """Return at most ``most`` dishes that can be made of ``foods``, the best first.
+
+        Utensils among ``foods`` are then the only ones that are there. Raises what :meth:`suggestions` raises.
 
         >>> foon.suggest(["egg", "butter", "salt"], most=1)[0].goal.node.label
         'omelette'

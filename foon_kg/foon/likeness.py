@@ -20,7 +20,7 @@ Nearest = Sequence[tuple[Neighbour, ...]]
 
 
 def by_points(connection: Connection, foods: Sequence[str], limit: int) -> Nearest | None:
-    """Return the ``limit`` nearest to each of ``foods`` by the vector index of the graph at ``connection``.
+    """Return at most ``limit`` foods nearest to each of ``foods``, by the vector index of the graph at ``connection``.
 
     ``None`` where it cannot tell. Nothing of planning is imported.
     """
@@ -33,7 +33,7 @@ def by_points(connection: Connection, foods: Sequence[str], limit: int) -> Neare
 def in_view(
     view: Snapshot | GraphView, foods: Sequence[str], limit: int, role: str | None, vectors: str | None, *, whole: bool
 ) -> Nearest:
-    """Return the ``limit`` nearest to each of ``foods`` among all foods that the FOON of ``view`` knows.
+    """Return at most ``limit`` foods of those in ``view`` that are nearest to each of ``foods``.
 
     With a ``role``, those that play it; with the name of ``vectors``, by their cosine; else as the foods are alike.
     Unless its ``whole`` vocabulary may be read, those that play a role are sought among the foods that the table of

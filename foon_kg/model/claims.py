@@ -29,7 +29,11 @@ class Alternative:
 
     @classmethod
     def claimed(cls, name: str, confidence: float | None) -> Self:
-        """Return the alternative ``name`` of a tree that may leave its ``confidence`` (0 to 1) out."""
+        """Return the alternative ``name`` of a tree that may leave its ``confidence`` (0 to 1) out.
+
+        >>> Alternative.claimed("onion", None).missing
+        frozenset({'confidence'})
+        """
         return cls(name, confidence or 0.0, _missing(confidence=confidence))
 
 
@@ -73,11 +77,19 @@ class Substitution:
 
     @property
     def for_want(self) -> bool:
-        """Whether nothing that is known is like the food: it is handled like something for want of anything."""
+        """Whether nothing that is known is like the food: it is handled like something for want of anything.
+
+        >>> Substitution("object", "zorbik", "zorbik", "steak", 0.0).for_want
+        True
+        """
         return self.kind == "object" and self.confidence < UNLIKE
 
     def to_json(self) -> JsonObject:
-        """Return one of the ``substitutions`` of a plan result."""
+        """Return one of the ``substitutions`` of a plan result.
+
+        >>> Substitution("object", "leek", "leek", "onion", 0.87).to_json()["equivalent"]
+        'onion'
+        """
         return {
             "kind": self.kind,
             "object": self.object,
@@ -89,7 +101,12 @@ class Substitution:
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
-        """Return what :meth:`to_json` wrote, from its ``fields``; raises ReadError where one is missing."""
+        """Return what :meth:`to_json` wrote, from its ``fields``; raises ReadError where one is missing.
+
+        >>> told = Substitution("object", "leek", "leek", "onion", 0.87)
+        >>> Substitution.from_json(Fields(told.to_json(), "plan.json")) == told
+        True
+        """
         return cls(
             fields.one_of("kind", get_args(SubstitutionKind)),
             fields.text("object"),
@@ -108,12 +125,21 @@ class Assumption:
     why: str
 
     def to_json(self) -> JsonObject:
-        """Return one of the ``assumptions`` of a plan result."""
+        """Return one of the ``assumptions`` of a plan result.
+
+        >>> Assumption(ObjectNode("tuna", ("canned",)), "no step makes it so").to_json()["why"]
+        'no step makes it so'
+        """
         return {"node": node_to_json(self.node), "why": self.why}
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
-        """Return the assumption of the ``fields`` that :meth:`to_json` wrote."""
+        """Return the assumption of the ``fields`` that :meth:`to_json` wrote.
+
+        >>> told = Assumption(ObjectNode("tuna", ("canned",)), "no step makes it so")
+        >>> Assumption.from_json(Fields(told.to_json(), "plan.json")) == told
+        True
+        """
         return cls(node_from_json(fields.nested("node")), fields.text("why"))
 
 

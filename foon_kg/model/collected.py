@@ -58,7 +58,7 @@ class CollectedRecipe:
 
     @cached_property
     def content(self) -> str:
-        """A hash of all in it that the graph keeps: an equal one means that loading it again would change nothing."""
+        """Return a hash of all that the graph keeps of it: where it is equal, loading it again would change nothing."""
         lines = [(line.text, line.detected, line.state, line.quantity, line.unit) for line in self.lines]
         return content_key(self.id, self.title, lines, self.dish_type, self.partition, self.url)
 

@@ -49,7 +49,7 @@ class DraftedRecipe:
 
     @cached_property
     def content(self) -> str:
-        """A hash of everything in it: an equal one means that loading it again would change nothing."""
+        """Return a hash of everything in it: an equal one means that loading it again would change nothing."""
         return content_key(self.to_json())
 
     def to_json(self) -> JsonObject:
@@ -95,7 +95,7 @@ class Lesson:
 
 
 def surest(lessons: Iterable[Lesson], most: int = MOST_OF_A_DISH_TYPE) -> tuple[Lesson, ...]:
-    """Return the ``most`` surest lessons of each dish type, ties by name; all of them sorted by name."""
+    """Return at most ``most`` lessons of each dish type, the surest, ties by name; all of them sorted by name."""
     by_type: dict[str, list[Lesson]] = {}
     for lesson in sorted(lessons, key=lambda one: (-one.confidence, one.subgraph.name)):
         kept = by_type.setdefault(lesson.dish_type, [])

@@ -65,19 +65,35 @@ class Vocabulary:
 
     @property
     def labels(self) -> list[str]:
-        """Return the known foods by name, sorted."""
+        """Return the known foods by name, sorted.
+
+        >>> seen = (SeenAs("onion", "chopped", 1, 2), SeenAs("onion", "whole", 0, 3))
+        >>> words = Vocabulary(seen, (), (), ("salad",))
+        >>> words.labels
+        ['onion']
+        """
         return sorted(self.rows_of)
 
     @cached_property
     def rows_of(self) -> Mapping[str, tuple[SeenAs, ...]]:
-        """Return the rows about each known food, in their order."""
+        """Return the rows about each known food, in their order.
+
+        >>> seen = (SeenAs("onion", "chopped", 1, 2), SeenAs("onion", "whole", 0, 3))
+        >>> words = Vocabulary(seen, (), (), ("salad",))
+        >>> [row.state for row in words.rows_of["onion"]]
+        ['chopped', 'whole']
+        """
         rows: dict[str, list[SeenAs]] = {}
         for row in self.foods:
             rows.setdefault(row.label, []).append(row)
         return {label: tuple(found) for label, found in rows.items()}
 
     def gathers(self, motion: str) -> float:
-        """Return how likely the next unit with ``motion`` takes several foods (0..1): half where none was seen yet."""
+        """Return how likely the next unit with ``motion`` takes several foods (0..1): half where none was seen yet.
+
+        >>> Vocabulary((), (), (), gatherings=(Gathering("mix", 8, 8),)).gathers("mix")
+        0.9
+        """
         row = self._gathering_of.get(motion)
         return 0.5 if row is None else (row.several + 1) / (row.units + 2)  # the rule of succession
 
@@ -209,7 +225,7 @@ class KnowledgeView(Protocol):
         ...
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
-        """Return, for each of ``names``, the ``limit`` known foods that can best stand for it.
+        """Return, for each of ``names``, at most ``limit`` known foods that can best stand for it.
 
         They are those of the default similarity (``foon_kg.similarity``), best first, ties by name; fewer only where
         the FOON knows fewer. A name need not be known.

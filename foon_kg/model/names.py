@@ -45,12 +45,19 @@ def canonical(name: str) -> str:
 
     Lower case, single spaces, no accents, singular, with synonyms and typing errors of the alias table resolved.
     Idempotent: ``canonical(canonical(x)) == canonical(x)``. Raises ``ReadError`` for a broken alias file.
+
+    >>> canonical("Crème fraîche"), canonical("  ripe Tomatoes ")
+    ('creme fraiche', 'ripe tomato')
     """
     return _canonical(name, os.environ.get(ALIASES_VARIABLE, ""))
 
 
 def canonical_all(names: tuple[str, ...]) -> tuple[str, ...]:
-    """Return :func:`canonical` of each of ``names``; of few lists, as of the words of a FOON, it is kept."""
+    """Return :func:`canonical` of each of ``names``; of few lists, as of the words of a FOON, it is kept.
+
+    >>> canonical_all(("Onions", "eggs"))
+    ('onion', 'egg')
+    """
     return _canonical_all(names, os.environ.get(ALIASES_VARIABLE, ""))
 
 
@@ -88,7 +95,11 @@ def _tidied(name: str) -> str:
 
 
 def without_accents(text: str) -> str:
-    """Return ``text`` with its letters plain, without accents (pâté: pate; smørrebrød: smorrebrod)."""
+    """Return ``text`` with its letters plain, without accents (pâté: pate; smørrebrød: smorrebrod).
+
+    >>> without_accents("crème brûlée")
+    'creme brulee'
+    """
     if text.isascii():  # as most is; the rest takes ten times as long
         return text
     letters = unicodedata.normalize("NFKD", text.translate(_OF_THEIR_OWN))
@@ -110,6 +121,9 @@ def alias_table(own_file: str = "") -> AliasTable:
     """Return foon-kg's own aliases, overruled by those of ``own_file`` (``""`` for none).
 
     Raises ReadError where that file cannot be read, with the line where one of its lines cannot.
+
+    >>> alias_table().wholes.keys() >= alias_table().words.keys()
+    True
     """
     shipped = files("foon_kg.model").joinpath("aliases.txt").read_text(encoding="utf-8")
     table = _read(shipped.splitlines(), "aliases.txt", AliasTable({}, {}, frozenset()))
@@ -118,8 +132,9 @@ def alias_table(own_file: str = "") -> AliasTable:
     try:
         lines = read_text(Path(own_file), "utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:
+        why = error.strerror if isinstance(error, OSError) else "it is no text in UTF-8"
         raise ReadError(
-            f"{own_file}: the alias file cannot be read: {error}",
+            f"{own_file}: the alias file cannot be read: {why}",
             hint=f"Name a readable UTF-8 text file in {ALIASES_VARIABLE}, or unset it.",
         ) from error
     return _read(lines, own_file, table)

@@ -60,8 +60,8 @@ def check_place(path: Path, hint: str) -> None:
 def write_whole(path: Path, content: str | bytes, mode: int | None = None) -> None:
     """Write ``content`` to a file beside ``path`` and put it in its place; if that raises OSError, leave nothing of it.
 
-    A link stays one. A file keeps its mode unless ``mode`` says another. Devices, pipes that somebody reads, and files
-    in a folder that takes no others, are written where they are.
+    A link stays one. A file keeps its mode (the bits of ``chmod``) unless ``mode`` says another. Devices, pipes that
+    somebody reads, and files in a folder that takes no others, are written where they are.
     """
     data = content.encode() if isinstance(content, str) else content
     target = Path(os.path.realpath(path))
