@@ -34,6 +34,10 @@ TABLES = (
 """The documents with rows of techniques, in the order in which these are tried."""
 
 
+_MARKS = frozenset("!%#^@*")
+"""With what terms begin that are more than a kind, a trait or a name."""
+
+
 @made_often()
 class Around:
     """Among which ``foods`` a food is asked, and by which words of a title (``told``)."""
@@ -82,8 +86,8 @@ class Foods:
 
     def names(self, label: str, facts: Food, around: Around = NOWHERE) -> bool:
         """Return whether a food is one that is meant, in whatever state: by its ``label``, ``facts`` and ``around``."""
-        for term in self.terms:  # noqa: SIM110 - asked some hundred times a plan
-            if not _holds(term, label, facts, around):
+        for term in self.terms:  # asked some hundred times a plan
+            if not (_holds(term, label, facts, around) if term[0] in _MARKS else _is_of(term, facts)):
                 return False
         return True
 
@@ -118,9 +122,14 @@ def _holds(term: str, label: str, facts: Food, around: Around) -> bool:
         return rest in words(label)
     if term == "^":
         return not set(words(label)).isdisjoint(around.told)
-    if term.startswith("kind:"):
-        return facts.is_of(term.removeprefix("kind:"))
-    return term == "*" or (facts.is_any(word_list(rest)) if mark == "@" else facts.is_a(term))
+    if mark == "@":
+        return facts.is_any(word_list(rest))
+    return term == "*" or _is_of(term, facts)
+
+
+def _is_of(term: str, facts: Food) -> bool:
+    """Whether a food is of the kind, the trait or the name of a term without a mark."""
+    return facts.is_of(term.removeprefix("kind:")) if term.startswith("kind:") else facts.is_a(term)
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -69,18 +69,24 @@ class Explanation:
 def explanations(attempt: Attempt, likes: RecipeLikes) -> tuple[Explanation, ...]:
     """Return why the tree of ``attempt`` has each required food as it has it, in their order, by these ``likes``."""
     joins = sorted(attempt.fit.joins, key=lambda join: join.want.number)
-    return tuple(_explained(attempt, join, likes) for join in joins)
+    steps = _steps_of_things(attempt.result.units)
+    return tuple(_explained(attempt, join, likes, steps) for join in joins)
 
 
-def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
-    """Return why the food that comes in by ``join`` is made as the tree of ``attempt`` makes it."""
+def _explained(
+    attempt: Attempt, join: Join, likes: RecipeLikes, steps: Mapping[int, Sequence[tuple[int, TreeUnit]]]
+) -> Explanation:
+    """Return why the food that comes in by ``join`` is made as the tree of ``attempt`` makes it.
+
+    ``steps`` are those of each thing.
+    """
     want = join.want
     asked = RequiredIngredient(want.label, want.asked)
     ready = attempt.cooking.ready.get(want.number)
     if ready is None:
         return Explanation(asked, "missing")
     number = ready.stuff.number
-    own = [(place, unit) for place, unit in enumerate(attempt.result.units, 1) if _has(unit, number)]
+    own = steps.get(number, ())
     how = _how(ready.assumptions, join, [unit for _, unit in own])
     like, sure = _handled_like(attempt, want.label)
     chosen = bool(like) and singular(want.label) in likes.instead
@@ -124,8 +130,13 @@ def _handled_like(attempt: Attempt, label: str) -> tuple[str, float]:
     return "", 1.0
 
 
-def _has(unit: TreeUnit, number: int) -> bool:
-    return any(one.thing == number for one in (*unit.taken, *unit.made))
+def _steps_of_things(units: Iterable[TreeUnit]) -> dict[int, list[tuple[int, TreeUnit]]]:
+    """Return by the number of each thing the steps that take or make it, each with its place from 1."""
+    found: dict[int, list[tuple[int, TreeUnit]]] = {}
+    for place, unit in enumerate(units, 1):
+        for thing in {one.thing for one in (*unit.taken, *unit.made) if one.thing is not None}:
+            found.setdefault(thing, []).append((place, unit))
+    return found
 
 
 def _joining(own: Sequence[tuple[int, TreeUnit]], number: int, join: Join) -> Joining:

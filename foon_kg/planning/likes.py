@@ -119,6 +119,10 @@ class FoodLikes:
         self.chosen[food] = known
 
 
+_InSlots = tuple["array[float] | None", "array[float]"]
+"""How well all known foods stand for one anywhere (``None`` where more than that is told), and in its slot."""
+
+
 class RecipeLikes:
     """The likes for the foods of one recipe. ``instead`` are those for which a person chose another one."""
 
@@ -131,7 +135,7 @@ class RecipeLikes:
                 self._read[name] = tuple(dict.fromkeys((*self._read.get(name, ()), meant)))
         likes.learn(singular(want.label) for want in wants)
         self._rows: dict[str, array[float]] = {}
-        self._slots: dict[str, array[float]] = {}
+        self._slots: dict[str, _InSlots] = {}
         self._met: dict[str, int] = {}
         self._met_in_slots: Mapping[str, array[float]] = {}
         names = [singular(want.label) for want in wants]
@@ -170,10 +174,12 @@ class RecipeLikes:
             met = self._met.get(known)
             slot = 0.0 if met is None or name not in self._met_in_slots else self._met_in_slots[name][met]
             return max(self.alike(food, known), slot)
-        slots = self._slots.get(name)
-        if slots is None:
-            slots = self._slots[name] = self._likes.slots(name)
-        return max(self.alike(food, known), slots[place])
+        sure = self._slots.get(name)
+        if sure is None:
+            row = None if name in self._read or self._likes.chosen else self._likes.row(name)
+            sure = self._slots[name] = row, self._likes.slots(name)
+        row, slots = sure
+        return max(self.alike(food, known) if row is None else row[place], slots[place])
 
     def stands_for(self, food: str, other: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a food that need not be known for another one."""

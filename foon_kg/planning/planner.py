@@ -348,8 +348,9 @@ class PlannedRecipe:
         found: dict[str, int] = {}
         for number, want in enumerate(self.wants):
             for name in ingredients:
-                if singular(name) == singular(want.label) or self.likes.alike(want.label, singular(name)) >= FAIR:
-                    found.setdefault(name, number)
+                one = singular(name)
+                if name not in found and (one == singular(want.label) or self.likes.alike(want.label, one) >= FAIR):
+                    found[name] = number
         return found
 
     def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.search.core import Core, bits_of
@@ -120,26 +120,40 @@ def _chosen_from(choice: Choice) -> set[int]:
 def _behind(choice: Choice) -> tuple[list[int], list[int], list[int]]:
     """Return, for each node, the steps that may take part in making it, their nodes and their foods."""
     core = choice.core
-    behind = [0] * len(core.nodes)
-    changed = True
-    while changed:
-        changed = False
-        for node, makers in enumerate(choice.makers):
-            mask = behind[node]
-            for step in makers:
-                mask |= 1 << step
-                for needed in core.inputs[step]:
-                    mask |= behind[needed]
-            if mask != behind[node]:
-                behind[node], changed = mask, True
-    distinct = {mask: _nodes_of(core, mask) for mask in set(behind)}
+    behind = _steps_behind(choice)
+    masks = [_mask((*core.inputs[step], *core.outputs[step])) for step in range(core.step_count)]
+    distinct = {mask: _nodes_of(masks, mask) for mask in set(behind)}
     foods = {mask: core.foods_of(mask) for mask in distinct}
     return behind, [distinct[mask] for mask in behind], [foods[mask] for mask in behind]
 
 
-def _nodes_of(core: Core, steps: int) -> int:
+def _steps_behind(choice: Choice) -> list[int]:
+    """Return, for each node, the steps that may take part in making it, one bit a step."""
+    inputs = choice.core.inputs
+    behind = [_mask(makers) for makers in choice.makers]
+    needs = [{node for step in makers for node in inputs[step]} for makers in choice.makers]
+    changed = True
+    while changed:
+        changed = False
+        for node, needed in enumerate(needs):
+            mask = behind[node]
+            for one in needed:
+                mask |= behind[one]
+            if mask != behind[node]:
+                behind[node], changed = mask, True
+    return behind
+
+
+def _nodes_of(masks: Sequence[int], steps: int) -> int:
+    """Return the nodes of a set of ``steps``, of which ``masks`` has those of each: all one bit a node or step."""
     nodes = 0
     for step in bits_of(steps):
-        for node in (*core.inputs[step], *core.outputs[step]):
-            nodes |= 1 << node
+        nodes |= masks[step]
     return nodes
+
+
+def _mask(numbers: Iterable[int]) -> int:
+    mask = 0
+    for number in numbers:
+        mask |= 1 << number
+    return mask

@@ -39,7 +39,7 @@ from foon_kg.integration.joining.additions import (
 from foon_kg.integration.joining.course import WORKS, Plan
 from foon_kg.integration.joining.lasting import as_long_as_needed, is_braised
 from foon_kg.integration.joining.patterns import STIR
-from foon_kg.integration.joining.spots import Join, any_is
+from foon_kg.integration.joining.spots import Join, Spot, any_is
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import HEATS, Line, Phase, Slot, Stage, Steamed
 
@@ -140,7 +140,8 @@ class _Phaser:
         unique = list({id(one): one for before in (old.stage, *old.after) for one in self._now(before)}.values())
         spot = self.spot.get(join.want.number, old.stage)
         here = next((place for place, one in enumerate(unique) if one is spot), 0)
-        return replace(join, spot=replace(old, stage=unique[here], after=tuple(unique[here + 1 :])))
+        now = Spot(old.path, unique[here], old.post, old.side, tuple(unique[here + 1 :]))
+        return Join(join.want, now, join.fit, join.slot, join.layer, join.on_top)
 
     def _now(self, stage: Stage) -> Iterator[Stage]:
         """Yield what became of a stage, and of that again."""
