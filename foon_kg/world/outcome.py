@@ -127,14 +127,15 @@ class Outcome:
 
     def _note_moves(self) -> None:
         """Keep what came to another place. What was made of foods where they were has not moved, nor have they."""
-        lumps = self.lumps()
-        spent = [lump for lump in lumps if lump.gone and id(lump) in self.before]
-        for lump in lumps:
+        origins: set[Vessel | None] = set()
+        for lump in self.lumps():
             old = self.before.get(id(lump), lump.where)
-            moved = lump.where is not old or lump in spent
-            if moved and not self.played_step.is_made_of(lump, old):
+            spent = lump.gone and id(lump) in self.before
+            if spent:
+                origins.add(old)
+            if (spent or lump.where is not old) and not self.played_step.is_made_of(lump, old):
                 self.played_step.moved.append((lump, old, lump.where))
-        self._note_products({self.before[id(lump)] for lump in spent})
+        self._note_products(origins)
 
     def _note_products(self, origins: set[Vessel | None]) -> None:
         """Keep as moved what was made of foods from ``origins``, unless it is where all of them were."""

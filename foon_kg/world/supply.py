@@ -147,10 +147,9 @@ class Supply:
 
     def _move_vessel(self, vessel: Vessel, where: Vessel | None) -> None:
         vessel.where = where
+        self.over_heat.pop(vessel, None)
         if where is not None and where.row.source == "heat":
             self.over_heat[vessel] = where
-        else:
-            self.over_heat.pop(vessel, None)
 
     def burning(self) -> Iterator[Vessel]:
         """Yield the vessels that stand over heat that is on."""
@@ -334,7 +333,7 @@ class Supply:
 
     def put(self, lump: Lump, where: Vessel | None) -> None:
         """Bring a lump to the vessel ``where``, with what lies on it; to no place for ``None``."""
-        riders = [other for other in lump.riders if not other.gone and other.where is lump.where and other is not lump]
+        riders = _riding(lump) if lump.riders else ()
         if lump.where is not None and lump in lump.where.lumps:
             lump.where.lumps.remove(lump)
         lump.where = where
@@ -343,6 +342,11 @@ class Supply:
         for rider in riders:
             if rider.where is not where:
                 self.put(rider, where)
+
+
+def _riding(lump: Lump) -> list[Lump]:
+    """Return what lies on a lump and is where it is."""
+    return [other for other in lump.riders if not other.gone and other.where is lump.where and other is not lump]
 
 
 def _receive(vessel: Vessel, lump: Lump) -> None:

@@ -181,7 +181,10 @@ def _mix_outputs(played_step: PlayedStep, *, mixes: bool) -> None:
 
 def _holds_several(vessel: Vessel) -> bool:
     """Whether there is more than one food in a vessel."""
-    return len({part.name for lump in vessel.lumps for part in lump.parts}) > 1
+    lumps = vessel.lumps
+    if len(lumps) == 1:
+        return lumps[0].mixed
+    return len({part.name for lump in lumps for part in lump.parts}) > 1
 
 
 def _places(played_step: PlayedStep) -> list[Vessel]:
