@@ -307,7 +307,7 @@ class Component:
     beside them. Else they are listed after all of ``after`` around one of ``again`` that was listed before. None of
     them is one of ``lacks``; ``beside`` are foods of which each list leaves one for the rest. ``at`` is where it joins,
     ``by`` the stage at which it does. ``leaves`` are no part of it, though listed under its heading: pasta behind what
-    is for the sauce.
+    is for the sauce. ``yields``: it is guessed of no food that the technique of the dish names itself.
     """
 
     technique: Technique
@@ -324,6 +324,7 @@ class Component:
     opens: bool = False
     lacks: tuple[Foods, ...] = ()
     leaves: tuple[Foods, ...] = ()
+    yields: bool = False
 
     @property
     def is_sought(self) -> bool:
@@ -360,6 +361,7 @@ def components() -> tuple[Component, ...]:
             row.get("opens", False),
             tuple(map(Foods.read, row.get("lacks", ()))),
             tuple(map(Foods.read, row.get("leaves", ()))),
+            row.get("yields", False),
         )
         for name, row in shipped("components")["components"].items()
     )

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from foon_kg.food import Tables
 from foon_kg.food.named import Named
 from foon_kg.food.techniques import Foods
-from foon_kg.integration.composing.listed import Inferred
+from foon_kg.integration.composing.headed import Inferred
 from foon_kg.integration.final_tree import FinalTree
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import Recipe

@@ -36,8 +36,11 @@ from foon_kg.food.techniques import (
 from foon_kg.food.words import is_part, singular, words
 from foon_kg.model import DISH_TYPES
 
-SAID = {"as mash", "coarse", "dark", "due", "in one piece", "in pieces", "portion", "raw", "runs", "several"}
-"""What rows ask of how a food is named and comes, and no state."""
+SAID = {
+    *("as mash", "coarse", "dark", "due", "in one piece", "in pieces", "portion", "raw", "runs", "several"),
+    *("stale", "wing", "wings"),
+}
+"""What rows ask of how a food is named, said to be and comes, and no state of a table."""
 
 PLANS = {"by table", "cold", "one pot", "whole"}
 

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from foon_kg.food import tables
 from foon_kg.food.listed import runs
-from foon_kg.integration.composing.listed import Inferred, parts_inferred, with_parts_said
+from foon_kg.integration.composing.headed import Inferred
+from foon_kg.integration.composing.listed import parts_inferred, with_parts_said
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import Recipe, RequiredIngredient
 

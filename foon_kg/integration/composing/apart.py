@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
@@ -12,7 +13,7 @@ from foon_kg.food.parted import PART, comes_apart, parts_in
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Technique
 from foon_kg.integration.composing.assigning import MAIN, line_told, means
-from foon_kg.integration.composing.components import Side, sides_of
+from foon_kg.integration.composing.components import Side, are, sides_of
 from foon_kg.integration.composing.headed import SIDE
 from foon_kg.integration.composing.techniques import technique_for
 from foon_kg.integration.preparing.preparation import SECOND, Want
@@ -69,13 +70,24 @@ def _parted(
     technique = technique_for(recipe.dish_type, title_words, foods, recorded)
     kept = _for_its_lines(foods, technique, title_words)
     rest = [want for want in foods if want not in kept]
-    own, sides = sides_of(rest, kept, dishes, recipe.dish_type, recipe.title or "", baked=baked)
+    named = _named_by(technique, foods, title_words)
+    own, sides = sides_of(rest, kept, dishes, recipe.dish_type, recipe.title or "", baked=baked, named=named)
     left = technique if own == foods else technique_for(recipe.dish_type, title_words, own, recorded)
     if not _is_named(sides):
         return Apart(foods, own, sides, left)
     if left is None and _says_what_is_put_on(technique) and not _is_beside(sides):
         return _with_what_is_served(Apart(foods, foods, (), technique), sides, recipe.dish_type, title_words, recorded)
     return Apart(foods, own, sides, _of_parts(left))
+
+
+def _named_by(technique: Technique | None, foods: Sequence[Want], title_words: Sequence[str]) -> list[Want]:
+    """Return the foods that a technique names itself, and does not only take with all the rest."""
+    if technique is None:
+        return []
+    around = Around([want.facts for want in foods], title_words)
+    parts = itertools.chain.from_iterable(technique.lines.values())
+    named = [some for part in parts for some in part.foods if not some.is_rest]
+    return [want for want in foods if are(named, want, around)]
 
 
 def _of_parts(technique: Technique | None) -> Technique | None:

@@ -29,16 +29,23 @@ class Side:
 
 
 def sides_of(
-    wants: Sequence[Want], kept: Sequence[Want], dishes: Iterable[Dish], dish_type: str, title: str, *, baked: bool
+    wants: Sequence[Want],
+    kept: Sequence[Want],
+    dishes: Iterable[Dish],
+    dish_type: str,
+    title: str,
+    *,
+    baked: bool,
+    named: Collection[Want] = (),
 ) -> tuple[tuple[Want, ...], tuple[Side, ...]]:
     """Return what is left of ``wants``, the foods of a recipe, and the components that are made beside it.
 
-    ``kept`` are those that a line of the dish's technique has already. ``dishes`` are those that it is called by
-    ``dish_type`` and ``title``; ``baked``: these say that it comes out of an oven.
+    ``kept`` are those that a line of the dish's technique has already, ``named`` those that it names. ``dishes`` are
+    those that it is called by ``dish_type`` and ``title``; ``baked``: these say that it comes out of an oven.
     """
     held = {name for name in _HOLDS if any(getattr(dish, name) for dish in dishes)}
     held |= {"baked"} if baked or "tin" in held else set()
-    finder = _Finder(wants, kept, held, dish_type, words(title))
+    finder = _Finder(wants, kept, held, dish_type, words(title), named={want.number for want in named})
     sides = tuple(side for one in components_for(finder.parts) if (side := finder.side(one)) is not None)
     return tuple(finder.rest), sides
 
@@ -53,6 +60,8 @@ class _Finder:
         held: Collection[str],
         dish_type: str,
         title_words: Sequence[str],
+        *,
+        named: Collection[int],
     ) -> None:
         self.rest = [*wants, *kept]
         self.held = held
@@ -62,6 +71,7 @@ class _Finder:
         self.parts = {want.part for want in wants} - {""}
         self.highest = 3 * SECOND  # the number of the last second portion
         self.behind: set[int] = set()  # the places right behind what comes on a cold dish
+        self.named = named  # the numbers of the foods that the technique of the dish names
 
     def side(self, component: Component) -> Side | None:
         """Return the foods of a component, which are taken out of the rest; ``None`` where there is none."""
@@ -173,10 +183,16 @@ class _Finder:
         """
         if self._named(component) or not component.technique.is_called(self.dish_type, self.title_words):
             return set()
-        bodies = [place for place, want in self.listed.items() if are(component.body, want, around)]
+        bodies = self._bodies(component, around)
         if component.behind:
             return self.behind & set(bodies)
         return {place for place in bodies[-1:] if component.guessed and not self.listed[place].part}
+
+    def _bodies(self, component: Component, around: Around) -> list[int]:
+        """Return the places of the foods with which a component may begin."""
+        found = [place for place, want in self.listed.items() if are(component.body, want, around)]
+        named = self.named if component.yields else ()
+        return [place for place in found if self.listed[place].number not in named]
 
     def _opening(self, component: Component, around: Around) -> set[int]:
         """Return the places before a food that is listed again, where all that stands there may be the component's."""

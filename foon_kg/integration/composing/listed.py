@@ -11,30 +11,26 @@ import itertools
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from operator import itemgetter
-from typing import NamedTuple
 
 from foon_kg.food import singular, words
 from foon_kg.food.listed import Run, runs
 from foon_kg.food.lists import word_list
 from foon_kg.food.techniques import Around
 from foon_kg.integration.composing.components import are, have
-from foon_kg.integration.composing.headed import as_headed
+from foon_kg.integration.composing.headed import Inferred, as_headed, as_opened, without_headings
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import Recipe, RequiredIngredient
-
-
-class Inferred(NamedTuple):
-    """A part that a recipe does not name, and the ``places`` of its foods in the list."""
-
-    part: str
-    places: tuple[int, ...]
 
 
 def as_listed(
     recipe: Recipe, understand: Callable[[Iterable[RequiredIngredient]], tuple[Want, ...]]
 ) -> tuple[Recipe, tuple[Want, ...], tuple[Inferred, ...]]:
     """Return a ``recipe`` with the parts that its list tells, its foods as ``understand`` reads them, and the parts."""
+    recipe = without_headings(recipe)
     wants = understand(recipe.ingredients)
+    recipe, opened = as_opened(recipe, wants)
+    if opened:
+        return recipe, understand(recipe.ingredients), opened
     headed = as_headed(recipe, wants)
     if headed is not recipe:
         recipe, wants = headed, understand(headed.ingredients)
