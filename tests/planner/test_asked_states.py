@@ -196,3 +196,22 @@ def test_roots_that_are_asked_done_and_cut_are_boiled_and_not_fried_whole(steps)
     told = steps("salad", "", "beetroot:cooked, cut", "walnut:toasted", "olive oil:liquid", "vinegar:liquid")
     cooked = next(i for i, (_, _, out) in enumerate(told) if "cooked" in states_of(told[: i + 1], "beetroot"))
     assert "water" in told[cooked][0]
+
+
+def test_eggs_that_are_bought_boiled_are_only_peeled(steps):
+    told = steps("salad", "", "hard-boiled egg:peeled", "mayonnaise:creamy", "celery:diced", "mustard:creamy")
+    assert not {"boil", "cook"} & {motion for inputs, motion, _ in told if "hard-boiled egg" in inputs}
+    assert first(told, "hard-boiled egg", "peel") < len(told) - 1
+
+
+@pytest.mark.parametrize(
+    ("dish", "title", "foods", "motion"),
+    [
+        ("drinks", "", ("water:liquid", "cinnamon stick:whole", "sugar:granulated", "rum:liquid"), "cook"),
+        ("pudding", "", ("bread:cubed", "egg:beaten", "milk:liquid", "sugar:granulated", "butter:melted"), "bake"),
+        ("potatoes", "Roasties", ("potato:halved", "goose fat:creamy", "salt:granulated"), "bake"),
+    ],
+)
+def test_foods_that_tell_the_method_are_made_by_it(steps, dish, title, foods, motion):
+    told = steps(dish, title, *foods)
+    assert motion in {one for _, one, _ in told}

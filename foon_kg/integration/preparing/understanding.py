@@ -194,7 +194,7 @@ def _otherwise(want: Want, row: State, operators: Operators) -> Want:
         return replace(want, make=state, squeezed=True)
     if _lacks_a_mill(want, operators):
         return _as_ground(want)
-    if state in word_list("has no shell any more") and facts.is_any(word_list("runs out of its shell")):
+    if state in word_list("has no shell any more") and _runs_out_of_its_shell(facts):
         return replace(want, make=min(word_list("is boiled so")), cooked=True)
     others = _done_by_others(want, row, operators)
     if others is not None:
@@ -202,6 +202,12 @@ def _otherwise(want: Want, row: State, operators: Operators) -> Want:
     if not _can_be_made(want, form, row, operators):
         return want
     return replace(_without_its_shell(want, row), make=state)
+
+
+def _runs_out_of_its_shell(facts: Food) -> bool:
+    """Whether a food runs where its shell is opened: not what was bought boiled."""
+    boiled = facts.is_any(word_list("is peeled and not cracked"))
+    return facts.is_any(word_list("runs out of its shell")) and not boiled
 
 
 def _without_its_shell(want: Want, row: State) -> Want:
