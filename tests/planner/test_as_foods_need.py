@@ -191,3 +191,29 @@ def test_a_paste_that_is_listed_by_itself_is_ground_and_then_fried(steps):
 
 def test_ice_is_never_boiled_whatever_state_it_is_asked_in(steps):
     assert "boil" not in motions(steps("salad", "", "apple:whole", "ice:boiled"))
+
+
+def test_sprigs_and_bay_leaves_are_lifted_out_of_what_was_baked(steps):
+    told = steps(
+        "casserole", "Sausage and Bean Casserole", "sausage:sliced", "butter bean:canned", "onion:sliced",
+        "canned tomato:chopped", "bay leaf:whole", "thyme:sprig", "oil:liquid", "breadcrumbs:crumbs",
+    )  # fmt: skip
+    assert "bake" in motions(told)
+    assert {"bay leaf", "thyme"} <= lifted(told)
+
+
+def test_a_sauce_bound_with_starch_comes_after_what_is_fried_for_a_moment(steps):
+    told = steps(
+        "stir-fry", "Tofu Stir-Fry", "tofu:cubed", "snow pea:whole", "bok choy:chopped", "garlic:minced", "oil:liquid",
+        "soy sauce:liquid", "cornstarch:powder", "water:liquid",
+    )  # fmt: skip
+    poured = next(
+        place
+        for place, (inputs, _, _) in enumerate(told)
+        if "mixture" in inputs and inputs & {"cooking pan", "wok", "frying pan"}
+    )
+    fried = [
+        place for place, (inputs, motion, _) in enumerate(told) if "bok choy" in inputs and motion == "cook and stir"
+    ]
+    assert fried
+    assert fried[0] < poured

@@ -270,6 +270,26 @@ def finishing_fat_last(additions: Sequence[Addition]) -> list[Addition]:
     return [replace(addition, phase=LAST) if addition in last else addition for addition in additions]
 
 
+def thickened_at_last(additions: Sequence[Addition], sauces: Sequence[Addition]) -> list[Addition]:
+    """Return ``additions`` with ``sauces``, which are thick at once, after what is fried for a moment only.
+
+    That is so where all the liquid is in them, and nothing has to cook in it: poured before, they stew what is to stay
+    crisp.
+    """
+    others = [one for one in additions if one not in sauces]
+    if any(map(_cooks_in_liquid, others)) or not any(one.phase == SOON and one.is_solid for one in others):
+        return list(additions)
+    return [replace(one, phase=LAST) if one in sauces and one.phase == WET else one for one in additions]
+
+
+def _cooks_in_liquid(addition: Addition) -> bool:
+    """Whether what comes is a liquid to cook in, or is done in none but that."""
+    facts = addition.facts
+    if facts is None or facts.is_a("fat") or _seasons(facts):
+        return addition.is_water
+    return addition.phase in {LONG, WET} or is_bath(facts) or facts.is_any(word_list("swells"))
+
+
 def boils(additions: Iterable[Addition]) -> bool:
     """Return whether something of ``additions`` is to be cooked in a liquid, or is that."""
     return any(one.phase in {LONG, WET} and (one.is_solid or one.is_water) for one in additions)

@@ -33,6 +33,7 @@ from foon_kg.integration.joining.additions import (
     makes_a_sauce,
     phase_in,
     phase_together,
+    thickened_at_last,
     unbeaten,
     untoasted,
 )
@@ -184,7 +185,8 @@ class _Phaser:
         medium = self._medium(vessel)
         if medium is None:
             return ()
-        additions = self._as_a_whole(self._additions(vessel, adds, medium), vessel.within, bath=medium.bath)
+        additions = self._thickened(self._additions(vessel, adds, medium), medium)
+        additions = self._as_a_whole(additions, vessel.within, bath=medium.bath)
         return self._stages(vessel, in_parts(additions, ORDER if medium.bath else DRY_ORDER), bath=medium.bath)
 
     def _vessel(self, run: Sequence[Stage], *, sets: bool) -> VesselOverHeat:
@@ -307,6 +309,19 @@ class _Phaser:
         """Whether something in a vessel is not done unless it cooks in a liquid."""
         braised = not self.plan.stacked and any(map(is_braised, vessel.within))
         return braised or any(_has_to_boil_here(join.want) for join in vessel.joins)
+
+    def _thickened(self, additions: list[Addition], medium: Medium) -> list[Addition]:
+        """Return ``additions`` with a sauce that starch binds after what is fried for a moment, where they fry."""
+        if not (medium.fat and medium.bath) or self.plan.one_pot:
+            return additions
+        return thickened_at_last(additions, [one for one in additions if self._is_bound_sauce(one)])
+
+    def _is_bound_sauce(self, addition: Addition) -> bool:
+        """Whether starch was stirred cold into what comes, which has nothing solid in it."""
+        if not isinstance(addition.what, Line) or not _is_mixed_cold(addition.what):
+            return False
+        facts = [join.want.facts for join in self._foods(addition.what)]
+        return any(one.is_a("starch") for one in facts) and not any(one.is_any(word_list("is flesh")) for one in facts)
 
     def _as_a_whole(self, additions: Sequence[Addition], within: Sequence[Join], *, bath: bool) -> list[Addition]:
         """Return ``additions`` with grain beside water, and eggs before rice and noodles, or after them in a sauce.

@@ -125,8 +125,11 @@ class Doing:
         self.bench.switch(None, machine, on=False)
 
     def take_out(self, turn: Turn, vessel: Vessel) -> Vessel:
-        """Take out of a pot what only gave its taste, before that is poured, served or blended; return its vessel."""
-        if not turn.heats or vessel.relation != "on" or not self.work.taking_out.is_due(vessel):
+        """Take out of a pot, or what comes out of the oven, what only gave its taste; return its vessel.
+
+        That is before it is poured, served or blended.
+        """
+        if not turn.heats or not _leaves_tastes_in(turn, vessel) or not self.work.taking_out.is_due(vessel):
             return vessel
         if turn.heats_later and not _is_crushed_next(turn):
             return vessel
@@ -135,6 +138,11 @@ class Doing:
             self.work.name(vessel, self.work.outcome.label(turn.stage, vessel, last=last) or MIXTURE)
         self.bench.heat_off(vessel)
         return self.work.taking_out.take_out(vessel)
+
+
+def _leaves_tastes_in(turn: Turn, vessel: Vessel) -> bool:
+    """Whether ``vessel`` stands on a stove, or was baked and nothing is lifted out of it, which leaves them behind."""
+    return vessel.relation == "on" or ("dry" in turn.stage.does and not lifts_later(turn.later))
 
 
 def _is_crushed_next(turn: Turn) -> bool:
