@@ -159,6 +159,11 @@ class Asked:
         return named and not is_baked(self.dish_type, "", self.known)
 
     @cached_property
+    def is_cut_when_baked(self) -> bool:
+        """Whether the title says that the dish is cut once it is baked."""
+        return says(self.title_words, "is cut when it is baked")
+
+    @cached_property
     def kinds(self) -> frozenset[str]:
         """The kinds of its foods."""
         return frozenset(want.facts.kind for want in self.wants)

@@ -161,8 +161,8 @@ def _batter_score(dish: Recorded, asked: Asked) -> float:
     found = 0.0 if dish.mixed_in_bowl else -_AWKWARD
     if dish.watered and not asked.has_a("water"):  # the plan would have to add the water
         found -= 3 * _AWKWARD
-    if dish.cut_when_baked:  # bars and brownies are, by a table, and a round cake is not
-        found -= 2 * _AWKWARD
+    if dish.cut_when_baked:  # bars and brownies are, and a round cake is not
+        found += 2 * _AWKWARD if asked.is_cut_when_baked else -2 * _AWKWARD
     return found
 
 

@@ -59,6 +59,12 @@ def test_flour_without_yeast_makes_a_batter_and_with_it_a_dough():
     assert not is_of_batter(wants({"bread": "sliced", "flour": "", "egg": ""}))
 
 
+def test_soft_cheese_with_icing_sugar_and_a_second_fat_is_a_part():
+    rest, (part,) = parts_of(wants(CAKE | FROSTING), "cake", "", (), KNOWN)
+    assert names(part) == {*FROSTING}
+    assert {want.label for want in rest} == {*CAKE}
+
+
 def test_the_only_sugar_and_the_only_fat_are_the_batters():
     foods = {"flour": "", "powdered sugar": "", "butter": "", "tahini": ""}
     assert parts_of(wants(foods), "cookie", "", (), KNOWN)[1] == ()
@@ -70,6 +76,12 @@ def test_of_a_food_listed_twice_a_second_portion_belongs_to_the_part():
     assert names(part) == {"cream cheese", "butter", "sugar"}
     assert {"sugar", "butter"} <= {want.label for want in rest}
     assert not {want.number for want in part.wants} & {want.number for want in rest}
+
+
+@pytest.mark.parametrize(("title", "count"), [("glazed lemon cake", 2), ("lemon cake", 1)])
+def test_icing_sugar_is_stirred_to_a_glaze_where_the_title_says_so_and_dusted_else(title, count):
+    _, (part,) = parts_of(wants(CAKE | {"powdered sugar": ""}), "cake", title, (), KNOWN)
+    assert len(part.wants) == count
 
 
 def test_only_what_is_baked_in_a_tin_has_parts():

@@ -99,7 +99,7 @@ def test_what_is_shaped_of_a_mass_is_not_coated():
 def test_minced_flesh_is_not_coated_though_nothing_shapes_it():
     line = Line((stage("bake", {"heat", "dry"}),))
     joins = joins_at(line, 0, "ground beef", "egg", "breadcrumb")
-    assert coated_alone(line, joins, tables()) == (line, joins)
+    assert coated_alone(line, joins, tables(), baked=True) == (line, joins)
     assert coated_apart(line, joins) == (line, joins)
 
 

@@ -21,7 +21,7 @@ from foon_kg.integration.composing.coated import coated_alone
 from foon_kg.integration.composing.components import Side
 from foon_kg.integration.composing.drunk import for_many, garnished, is_heated, stirred
 from foon_kg.integration.composing.folded import folded, is_folded
-from foon_kg.integration.composing.formed import formed, is_formed
+from foon_kg.integration.composing.formed import formed, formed_within, is_formed
 from foon_kg.integration.composing.marinated import marinated
 from foon_kg.integration.composing.named import as_named
 from foon_kg.integration.composing.parts import Part, baked_at_last, with_parts
@@ -32,7 +32,7 @@ from foon_kg.integration.composing.stacked import cooked_apart
 from foon_kg.integration.composing.swelling import boiled_there, is_eaten_with_its_bath, is_soaked_up
 from foon_kg.integration.composing.techniques import as_a_way_says, carried_out
 from foon_kg.integration.composing.thickened import sauce_apart
-from foon_kg.integration.composing.toppings import wedges_last
+from foon_kg.integration.composing.toppings import strewn_under, wedges_last
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.teaching.frames import Line
 
@@ -111,10 +111,12 @@ def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: 
         title_words = words(called.title)
         line, found = carried_out(called.technique, joins, title_words, known)
         return Arranged(line, found, "one pot" in called.technique.plan or is_soaked_up(found, title_words))
-    line, joins = with_parts(line, joins, parts)
+    line, joins = with_parts(line, joins, parts, called.tin)
     line, joins = baked_at_last(line, joins, called.title)
     made, found = as_a_way_says(line, joins, called.dishes, called.words, known)
     line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, known)
+    if called.has("laid"):
+        joins = strewn_under(line, joins, known)
     if is_folded(joins, called.folded):
         line, joins = folded(joins)
     beside = not any(map(called.has, ("stacked", "baked", "formed")))
@@ -123,7 +125,7 @@ def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: 
         if called.drunk
         else wedges_last(line, joins, spooned=called.boils, slices_beside=beside)
     )
-    return _in_the_pot(line, joins, called)
+    return _in_the_pot(line, joins, called, known)
 
 
 def _drunk(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
@@ -135,21 +137,24 @@ def _drunk(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> 
     return garnished(*stirred(line, joins), called.name_words)
 
 
-def _in_the_pot(line: Line, joins: Sequence[Join], called: Called) -> Arranged:
+def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> Arranged:
     """Return how what is heated in one vessel is made: fried in turn, thickened, stewed or blended."""
     line, joins = unmixed(line, joins)
     joins = fat_in_the_heat(joins)
     # in a soup or stew flour is stirred into the fat in its turn; in a tin or a batter it is no sauce's
     if not (called.tin or called.boils or says(called.name_words, "is called battered")):
         line, joins = sauce_apart(line, joins)
-    return _stewed_or_smooth(line, joins, called)
+    line, joins, one_pot = _stewed_or_smooth(line, joins, called, known)
+    if is_formed(called.dishes, joins):
+        line, joins = formed_within(line, joins, known)
+    return Arranged(line, tuple(joins), one_pot)
 
 
-def _stewed_or_smooth(line: Line, joins: Sequence[Join], called: Called) -> Arranged:
+def _stewed_or_smooth(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> Arranged:
     """Return how what boils in the dish is done in it, be it blended then; as it is where nothing does."""
     title = words(called.title)
     bathed = is_eaten_with_its_bath(joins, title, called.dish_type)
-    stewed_so = is_stewed(called.title, called.dishes, joins)
+    stewed_so = is_stewed(called.title, called.dishes, joins, known)
     one_pot = called.boils or bathed or is_soaked_up(joins, title) or stewed_so
     if called.boils and not bathed:
         line, joins = blended_when_done(line, joins, called.name_words)
@@ -180,7 +185,7 @@ def _coated(line: Line, joins: tuple[Join, ...], called: Called, known: Tables) 
     """Return how flesh is made that is the dish: dipped, coated, or as such flesh is; else as it is."""
     made, found = as_a_way_says(line, joins, (), called.words, known, when="dipped")
     if made is line:
-        made, found = coated_alone(line, joins, known)
+        made, found = coated_alone(line, joins, known, baked=called.baked)
     if made is line:
         made, found = as_a_way_says(line, joins, (), called.words, known, when="flesh", baked=called.baked)
     return made, found

@@ -30,11 +30,13 @@ _POST = ("mix", "later", True)
 _BESIDE = word_list("is served with what is fried")
 
 
-def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+def coated_alone(
+    line: Line, joins: Sequence[Join], known: Tables, *, baked: bool = False
+) -> tuple[Line, tuple[Join, ...]]:
     """Return ``line`` and ``joins`` for coated flesh that is the dish: coated, fried, and baked under what melts on it.
 
-    Nothing changes where there is no such flesh, or where something else has to be cooked too. ``known`` are the
-    tables.
+    ``baked``: it is fried in the oven, as people say. Nothing changes where there is no such flesh, or where something
+    else has to be cooked too. ``known`` are the tables.
     """
     kinds = _COATED | word_list("is coated where it is rough") if any_is(joins, *_ROUGH) else _COATED
     flesh = _flesh_of_the_dish(line, joins, kinds, known)
@@ -45,6 +47,8 @@ def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line
         return line, tuple(joins)
     if any_is(joins, *word_list("melts on top")):
         return _baked_under(joins, kinds)
+    if baked and not wet:
+        return _on_a_tray(joins, kinds)
     if wet:
         return _in_a_sauce(replace(SIMMER), joins, kinds)
     return _in_a_sauce(replace(COOK if whole else STIR), joins, kinds)  # a fried piece that is stirred falls to pieces
@@ -73,6 +77,19 @@ def _baked_under(joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, t
     under = replace(BAKE)
     below = sorted(joins, key=lambda join: join.want.facts.is_any(word_list("melts on top")))
     return coated_apart(Line((under,)), [_at(join, under) for join in below], kinds)
+
+
+def _on_a_tray(joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how flesh is coated and baked; what lies on flesh comes on top."""
+    hot, top = replace(BAKE, vessel="baking tray", relation="on"), replace(TOP)
+    made, found = coated_apart(Line((hot,)), [_at(join, hot) for join in joins], kinds, heats=False)
+    over = word_list("lies on flesh") | _BESIDE
+    last = made.stages[-1]
+    found = tuple(
+        replace(_at(join, top), on_top=True) if join.spot.stage is last and join.want.facts.is_any(over) else join
+        for join in found
+    )
+    return Line((*made.stages, top)), found
 
 
 def _in_a_sauce(sauce: Stage, joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
@@ -121,10 +138,12 @@ def _at(join: Join, stage: Stage) -> Join:
     return replace(join, spot=replace(join.spot, stage=stage, after=(), side=False), slot=None)
 
 
-def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _COATED) -> tuple[Line, tuple[Join, ...]]:
+def coated_apart(
+    line: Line, joins: Sequence[Join], kinds: Collection[str] = _COATED, *, heats: bool = True
+) -> tuple[Line, tuple[Join, ...]]:
     """Return a line and its joins such that raw flesh is coated by itself, where something coats it.
 
-    ``kinds`` are those of the flesh; it is fried then, before it joins.
+    ``kinds`` are those of the flesh; ``heats``: it is fried then, before it joins.
     """
     flesh = _raw_flesh(joins, kinds)
     dry = [join for join in joins if join.want.facts.is_any(_DRY)]
@@ -135,11 +154,11 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     wash, powder = _mixed(wet, "egg", _THICK), _mixed(dry, "flour", _FINE)
     dusted = (replace(_BATH),) if dust else ()
     turned = (*dusted, replace(_BATH, adds=(Line((wash,)),)), replace(_BATH, adds=(Line((powder,)),)))
-    hot = (replace(COOK), replace(TURN), replace(COOK))
+    hot = (replace(COOK), replace(TURN), replace(COOK)) if heats else ()
     last = line.stages[-1]
     served = replace(last, adds=(*last.adds, Line((*turned, *hot))))
     places = [(wet, wash), (dust, turned[0]), ([*dry, *_what_seasons(joins)], powder), (flesh, turned[0])]
-    places.append((_frying_fat(joins), hot[0]))
+    places += [(_frying_fat(joins), hot[0])] if hot else []
 
     def moved(join: Join) -> Join:
         stage = _place_of(join, places)
@@ -168,14 +187,17 @@ def _what_dusts(dry: Sequence[Join]) -> list[Join]:
 
 
 def _what_wets(joins: Sequence[Join], dry: Sequence[Join]) -> list[Join]:
-    """Return what the wash is mixed of; what is ``dry`` is none of that."""
-    return [join for join in joins if join.want.facts.is_any(_WET) and join not in dry]
+    """Return what the wash is mixed of, with what seasons it; what is ``dry`` is none of that."""
+    wet = [join for join in joins if join.want.facts.is_any(_WET) and join not in dry]
+    seasons = [join for join in joins if join.want.facts.is_any(word_list("seasons what coats"))]
+    return [*wet, *seasons] if wet else []
 
 
 def _what_seasons(joins: Sequence[Join]) -> list[Join]:
-    """Return what is mixed into the powder: ground spices."""
+    """Return what is mixed into the powder: ground spices, and what makes it rise."""
     spices = [join for join in joins if join.want.facts.is_a("spice") and join.want.facts.is_a("stock")]
-    return [join for join in spices if not join.want.facts.is_a("ready", "liquid", *_WHOLE)]
+    ground = [join for join in spices if not join.want.facts.is_a("ready", "liquid", *_WHOLE)]
+    return [*ground, *(join for join in joins if join.want.facts.is_a("leaven"))]
 
 
 def _frying_fat(joins: Sequence[Join]) -> list[Join]:

@@ -22,6 +22,7 @@ from foon_kg.integration.joining.patterns import (
     WHISK,
     fresh,
     put_at,
+    with_line,
 )
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.preparing.preparation import Want, as_mixed
@@ -92,6 +93,27 @@ def _portions(name_words: frozenset[str]) -> str:
     """Return what shaped portions are called in a dish with these ``name_words``."""
     balls = word_list("is called so in balls")
     return min(word_list("is called so in portions") if name_words.isdisjoint(map(singular, balls)) else balls)
+
+
+def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return ``line`` and ``joins`` for a dish in which balls are cooked with the rest: shaped before they join.
+
+    ``known`` are the tables.
+    """
+    mass = _Mass(joins, known)
+    meets = mass.main[0].spot.stage if mass.main else None
+    if meets is None or not meets.heats or "dry" in meets.does:
+        return line, tuple(joins)
+    mix, shape = fresh(MIX, replace(SHAPE, label=min(word_list("is called so in balls"))))
+    own = [join for join in joins if mass.is_of_mass(join, alone=False)]
+    whole, became = with_line(line, meets, Line((mix, shape)))
+
+    def stage_of(join: Join) -> Stage:
+        return mix if join in own else became.get(id(join.spot.stage), join.spot.stage)
+
+    moved, found = put_at(whole, joins, stage_of)
+    pairs = zip(joins, found, strict=True)
+    return moved, tuple(now if now.spot.stage is mix else replace(before, spot=now.spot) for before, now in pairs)
 
 
 class _Mass:

@@ -9,7 +9,7 @@ from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import says, word_list
 from foon_kg.integration.composing.techniques import stage_of
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
-from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot, only_carries
+from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot, any_is, only_carries
 from foon_kg.integration.preparing.preparation import SECOND, Want
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
@@ -18,13 +18,14 @@ from foon_kg.integration.teaching.frames import Line, Slot, Stage
 class Part:
     """Foods that are put on a dish by ``motion``, ``mixed`` before if need be, at the stage of the name ``mixes``.
 
-    ``baked``: before it is baked.
+    ``baked``: before it is baked; ``under``: in its tin, before all else.
     """
 
     wants: tuple[Want, ...]
     motion: str
     baked: bool = False
     mixed: bool = True
+    under: bool = False
     mixes: str = "mix"
 
 
@@ -61,13 +62,17 @@ def _on_dough(wants: Sequence[Want]) -> list[Want]:
 
 
 class _Parted:
-    """The foods of one recipe that makes a batter: ``sweet`` is sugar, ``solid`` the fat that is creamed."""
+    """The foods of one recipe that makes a batter, by what they may be for.
+
+    ``fine`` is sugar ground to powder, ``sweet`` other sugar, ``solid`` the fat that is creamed.
+    """
 
     def __init__(self, wants: Sequence[Want], title_words: frozenset[str], repeated: Collection[str]) -> None:
         self.wants = wants
         self.title_words = title_words
         self.repeated = repeated
-        self.sweet = self._are("sweetens a batter")
+        self.fine = self._are("sweetens a cover")
+        self.sweet = [want for want in self._are("sweetens a batter") if want not in self.fine]
         self.fats = [want for want in wants if want.facts.is_a("fat")]
         self.solid = self._are("is creamed")
         self.numbers = 2 * SECOND  # those of the components begin at 3 * SECOND, those of opened foods at 5 * SECOND
@@ -81,12 +86,18 @@ class _Parted:
     def parts(self) -> Iterator[Part]:
         """Yield the parts in the order in which they are put on."""
         yield from self._strewn()
+        yield from self._base()
         cover = self._cover()
+        coat = () if cover else self._coat()
         if cover:
             yield Part(cover, _motion("covers what is baked"), mixes="beat soft")  # stirred, the sugar stays gritty
+        elif coat:
+            yield Part(coat, "")
         tops = self._are("is put on what is baked")
         if tops:
             yield Part(tuple(tops), _motion("covers what is baked"), mixed=False)
+        if not cover and not coat and self.fine and self.sweet:
+            yield Part((self.fine[0],), _motion("dusts what is baked"))
 
     def _strewn(self) -> Iterator[Part]:
         """Yield what is strewn on it before it is baked, where the title promises that."""
@@ -97,36 +108,65 @@ class _Parted:
         fat = self.solid[0] if len(self.fats) > 1 else self._second(self.solid[0])
         yield Part((*self._are("is coarse in what is strewn on")[:1], *dry, sweet, fat), "", baked=True)
 
+    def _base(self) -> Iterator[Part]:
+        """Yield what is pressed into the tin under all else."""
+        base = self._are("is pressed to a base")
+        if base and self.solid and self._are("body of a cover"):
+            yield Part((base[0], self.solid[0]), "", under=True)
+
     def _second(self, want: Want) -> Want:
         """Return a second portion of a food."""
         self.numbers += 1
         return replace(want, number=self.numbers)
 
-    def _again(self, wants: Sequence[Want]) -> list[Want]:
-        """Return a second portion of the first of these foods that a recipe names twice, if any."""
-        return [self._second(want) for want in wants if singular(want.label) in self.repeated][:1]
+    def _is_twice(self, want: Want) -> bool:
+        return singular(want.label) in self.repeated
 
     def _cover(self) -> tuple[Want, ...]:
-        """Return what is mixed and spread: a second portion of sugar with what is soft, and the fat to spare.
+        """Return what is mixed and spread: fine sugar, or a second portion of sugar, with what is soft or creamed.
 
         Cream cheese is the body of a cover only beside what makes a batter rise: else it is a cheesecake.
         """
         leavened = any(want.facts.is_a("leaven") for want in self.wants)
         soft = self._are("body of a cover")[:1] if leavened else []
-        sweet = self._again(self.sweet)
-        solid = self._again(self.solid[:1]) or (self.solid[:1] if len(self.fats) != 1 else [])
-        return (*soft, *solid, *sweet) if sweet and soft else ()
+        sweet = self._sweet_of_a_cover(soft)
+        solid = self._fat_of_a_cover()
+        return (*soft, *solid, *sweet) if sweet and (soft or solid) else ()
+
+    def _sweet_of_a_cover(self, soft: Sequence[Want]) -> list[Want]:
+        """Return the sugar of a cover: what is fine beside other sugar; in what is ``soft`` sugar to spare, too."""
+        again = [self._second(want) for want in self.sweet if self._is_twice(want)][:1]
+        if self.fine and self.sweet:
+            return self.fine[:1]
+        if not again and len(self.sweet) > 1 and any(map(self._is_twice, self.solid[:1])):
+            again = self.sweet[-1:]
+        return again if soft else []
+
+    def _fat_of_a_cover(self) -> list[Want]:
+        """Return the fat that is creamed for a cover: a second portion; none where there is but that of the batter."""
+        solid = self.solid[:1]
+        if any(map(self._is_twice, solid)):
+            return list(map(self._second, solid))
+        return solid if len(self.fats) != 1 else []
+
+    def _coat(self) -> tuple[Want, ...]:
+        """Return what is stirred to be poured on, where the title promises it: fine sugar with a liquid to spare."""
+        if not self.fine or not self.sweet or not self._promised("is glazed"):
+            return ()
+        sour = [want for want in self._are("thins a coat") if want.squeezed or want.facts.is_a("liquid")]
+        wet = sour or self._are("is liquid in a batter")[1:]
+        return (*self.fine[:1], *wet[:1]) if wet else ()
 
 
 def _motion(words_of: str) -> str:
     return min(word_list(words_of))
 
 
-def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line with a stage for each part, and the joins with those of the parts."""
+def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part], tin: str) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line with a stage for each part, and the joins with those of the parts; ``tin`` is what is baked in."""
     stages, found = list(line.stages), list(joins)
     for part in parts:
-        stages, found = _put_on(stages, found, part)
+        stages, found = _on_base(stages, found, part, tin) if part.under else _put_on(stages, found, part)
     return Line(tuple(stages)), tuple(found)
 
 
@@ -170,6 +210,20 @@ def _slot(want: Want, part: Part, mixing: Stage | None) -> Slot | None:
     return Slot(singular(want.label), want.facts.kind, want.leaf, (), part.motion)
 
 
+def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tuple[list[Stage], list[Join]]:
+    """Return stages in which the batter comes onto a base that was pressed in the tin."""
+    place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), len(stages))
+    mixing = _mixing(part)
+    pressed = Stage((Line((mixing,)),), "press", frozenset({"shape"}), (), tin, "in", "", "", "", (), -1)
+    before = (Line(tuple(stages[:place])),) if place else ()
+    old = stages[place] if place < len(stages) else _cold("chill")
+    new = replace(old, adds=(*before, *old.adds), vessel=tin, relation="in")
+    spot = Spot(path=(0, 0), stage=mixing, post=("mix", "later", True), side=True, after=(pressed, new))
+    moved = [_moved(join, old, new) for join in joins]
+    moved += [Join(want, spot, UNNATURAL) for want in part.wants]
+    return [pressed, new, *stages[place + 1 :]], moved
+
+
 def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, tuple[Join, ...]]:
     """Return a line that ends in the oven, and its ``joins``, with what is browned there on top, if the title asks so.
 
@@ -180,7 +234,7 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
     if bakes:
         joins = _browned_on(bakes[-1], line.stages, joins) if at_last else joins
         return line, _strewn_on(bakes[-1], line.stages, joins)
-    if not at_last or not any("heat" in stage.does for stage in line.stages):
+    if not at_last or not _is_cooked_in_no_oven(line):
         return line, tuple(joins)
     stages = _without_idle_end(line.stages, joins)
     does = frozenset({"dry", "heat"})
@@ -194,6 +248,11 @@ def _is_baked_at_last(title: str) -> bool:
     title_words = words(title)
     boils = says(title_words, "boils in the dish")
     return not boils and says(title_words, "is baked at last")
+
+
+def _is_cooked_in_no_oven(line: Line) -> bool:
+    hot = [stage for stage in line.stages if "heat" in stage.does]
+    return bool(hot) and all(stage.appliance != "oven" for stage in hot)
 
 
 def _without_idle_end(stages: Sequence[Stage], joins: Sequence[Join]) -> list[Stage]:
@@ -213,8 +272,13 @@ def _laid_at(spot: Spot, joins: Sequence[Join], tops: Sequence[Join]) -> tuple[J
 
 
 def _browned_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> tuple[Join, ...]:
-    """Return ``joins`` with cheese and crumbs on what is baked last of all, where there is something below."""
+    """Return ``joins`` with cheese and crumbs on what is baked last of all, where there is something below.
+
+    Where flour makes a sauce for pasta, the cheese belongs to that.
+    """
     tops = [one for one in joins if one.want.make and one.want.facts.is_any(word_list("is browned on top"))]
+    if any_is(joins, "flour") and any_is(joins, *word_list("is eaten with a sauce")):
+        tops = [one for one in tops if not one.want.facts.is_any(word_list("melts on top"))]
     return _laid_at(_spot_of(bakes, stages), joins, tops)
 
 
@@ -234,6 +298,10 @@ def _strewn_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> 
     spot = _spot_of(bakes, stages)
     strewn = word_list("is strewn on what is baked")
     return tuple(replace(one, spot=spot, slot=None) if one.want.facts.is_any(strewn) else one for one in joins)
+
+
+def _cold(motion: str) -> Stage:
+    return Stage((), motion, frozenset({"wait"}), (), "", "in", "refrigerator", "cold", "", (), -1)
 
 
 def _moved(join: Join, old: Stage, new: Stage) -> Join:

@@ -103,7 +103,7 @@ def _tossed(
             return replace(join, spot=spot, fit=min(join.fit, NATURAL))
         if (still := before.get(id(stage))) is not None:
             return replace(join, spot=replace(join.spot, stage=still))
-        if id(stage) in cold:
+        if id(stage) in cold or (join.slot is None and "blend" in stage.does):
             return _apart(join, gathered, (tossed, *later))
         return join
 
@@ -116,13 +116,13 @@ def _tossed(
 def _at_once(line: Line, place: int, joins: tuple[Join, ...], parts: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     """Return a line at whose mixing at ``place`` all comes together that a video mixes and cools for a dressing before.
 
-    There is no dressing where none of ``parts`` joins it.
+    There is no dressing where none of ``parts`` joins it. What is mashed there is left alone.
     """
     kept: list[Stage] = []
     gone: list[Stage] = []
     for stage in line.stages[:place]:
         (gone if _comes_at_once(stage, joins, parts) else kept).append(stage)
-    if not gone:
+    if not gone or _takes_foods_beside(gone, joins):
         return line, joins
     last, later = line.stages[place], line.stages[place + 1 :]
     left = set(map(id, gone))
@@ -131,12 +131,31 @@ def _at_once(line: Line, place: int, joins: tuple[Join, ...], parts: Sequence[Jo
 
 
 def _comes_at_once(stage: Stage, joins: Sequence[Join], parts: Sequence[Join]) -> bool:
-    """Whether a stage only waits, or mixes by hand what is no part of a dressing."""
+    """Whether a stage only waits, or mixes by hand what is no part of a dressing and is not mashed."""
     if stage.does == {"wait"}:
         return True
     if not stage.does <= _BY_HAND or stage.does.isdisjoint({"mix", "mash", "whip"}):
         return False
-    return not any(join in parts for join in joins if join.spot.stage is stage)
+    here = [join for join in joins if join.spot.stage is stage]
+    mashed = "mash" in stage.does and any(map(_is_mashed_there, here))
+    return not mashed and not any(join in parts for join in here)
+
+
+def _takes_foods_beside(stages: Sequence[Stage], joins: Sequence[Join]) -> bool:
+    """Whether a line with foods joins one of ``stages``."""
+    return any(_joins(line, joins) for stage in stages for line in stage.lines)
+
+
+def _is_mashed_there(join: Join) -> bool:
+    """Whether a food is what the video mashes there, or is of its kind."""
+    soft = join.want.facts.is_any(word_list("can be mashed"))
+    return soft and join.slot is not None and join.slot.kind == join.want.facts.kind
+
+
+def _joins(line: Line, joins: Sequence[Join]) -> bool:
+    """Whether any food joins a line."""
+    stages = {id(stage) for stage in line.all_stages()}
+    return any(id(join.spot.stage) in stages for join in joins)
 
 
 def _plain(stage: Stage) -> Stage:

@@ -6,15 +6,19 @@ import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food import words
+from foon_kg.food import Tables, words
 from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import Dish
+from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.additions import is_strewn
 from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 
 _JOINED = frozenset({"and", "con", "in", "on", "over", "with"})
 """After these words a title says no more what a dish is."""
+
+_LEAST = 2
+"""Of so many foods that run a sauce is made: one alone (a spoon of soy sauce) seasons."""
 
 _BLENDED = Stage((), "blend", frozenset({"blend", "mix"}), (), "blender jar", "in", "blender", "power", "", (), 0)
 _SERVED = Stage((), "", frozenset(), (), "bowl", "in", "", "", "", (), 0)
@@ -58,11 +62,15 @@ def _is_to_be_smooth(joins: Sequence[Join], name_words: Collection[str]) -> bool
     return named or any(_makes_it_smooth(join, name_words) for join in joins)
 
 
-def is_stewed(title: str, dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
-    """Return whether all of ``joins`` is cooked in a pot, as a title says; ``dishes`` are those that it is called."""
+def is_stewed(title: str, dishes: Collection[Dish], joins: Sequence[Join], known: Tables) -> bool:
+    """Return whether all of ``joins`` is cooked in a pot: a title ends so, or flesh in pieces is asked with a sauce.
+
+    ``dishes`` are those that it is called, ``known`` the tables.
+    """
     head = list(itertools.takewhile(lambda word: word not in _JOINED, words(title)))
     other = any(dish.stacked or dish.dressed or dish.laid or dish.baked for dish in dishes)
-    return not other and _is_called_by_a_pot(head, joins)
+    named = _is_called_by_a_pot(head, joins)
+    return not other and (named or _is_in_sauce(joins, words(title), known))
 
 
 def _is_called_by_a_pot(head: Sequence[str], joins: Sequence[Join]) -> bool:
@@ -73,6 +81,21 @@ def _is_called_by_a_pot(head: Sequence[str], joins: Sequence[Join]) -> bool:
     flesh = {word for join in joins if join.want.facts.is_any(word_list("is flesh")) for word in words(join.want.label)}
     wet = any(join.want.facts.is_of(*word_list("is cooked in for long")) for join in joins)
     return head[-1] in in_a_pot or (wet and head[-1] in flesh)
+
+
+def _is_in_sauce(joins: Sequence[Join], title_words: Sequence[str], known: Tables) -> bool:
+    """Whether flesh that is asked in pieces has a sauce to be cooked in, and nothing says that it is made otherwise."""
+    if not title_words or any(known.state(word).needs_heat for word in title_words if word in known.states):
+        return False
+    pieces = any(_is_raw_flesh_in_pieces(join, known) for join in joins)
+    sauce = sum(join.want.facts.is_of(*word_list("is cooked in for long")) for join in joins) >= _LEAST
+    return pieces and sauce and not any_is(joins, *word_list("is never in a pot so"))
+
+
+def _is_raw_flesh_in_pieces(join: Join, known: Tables) -> bool:
+    facts = join.want.facts
+    raw = "cook" in facts.owes and facts.is_any(word_list("is flesh"))
+    return raw and fineness((join.want.make,), known) > 0
 
 
 def stewed(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
@@ -101,7 +124,8 @@ def _with_stages(joins: Sequence[Join], works: tuple[Stage, ...]) -> tuple[Line,
     stages = (*works, replace(_SERVED))
     found = []
     for join in joins:
-        at = len(works) if is_strewn(join) else 0
+        late = is_strewn(join) or join.want.facts.is_any(word_list("floats on top"))
+        at = len(works) if late else 0
         spot = replace(join.spot, stage=stages[at], side=False, after=stages[at + 1 :])
         found.append(replace(join, spot=spot, slot=None))
     return Line(stages), tuple(found)

@@ -11,7 +11,7 @@ from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import CHOPPED
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.composing.coated import coated_apart
-from foon_kg.integration.joining.patterns import COOK, MIX, SHAPE, STIR, TOP, TURN
+from foon_kg.integration.joining.patterns import COOK, MIX, SHAPE, SIMMER, STIR, TOP, TURN
 from foon_kg.integration.joining.spots import NATURAL, Join, any_is
 from foon_kg.integration.preparing.preparation import Want, as_mash, owed
 from foon_kg.integration.teaching.frames import Line, Stage
@@ -41,7 +41,7 @@ def cooked_apart(
 class _CookedApart:
     """The foods of a dish on bread: the ``main`` ones that have to be made apart, and what else is fried beside them.
 
-    ``shaped``: they are a mass for patties. ``loose``: they are cooked in pieces.
+    ``shaped``: they are a mass for patties. ``loose``: they are cooked in pieces, or ``braised`` in a liquid.
     ``falls_apart``: flesh is asked in shreds, and boiled for that by itself.
     """
 
@@ -54,7 +54,8 @@ class _CookedApart:
         mass = self._mass(shaped=shaped)
         lone = self._lone_flesh(mass)
         self.shaped = shaped and bool(mass)
-        self.loose = self._is_fried_in_pieces(lone) or bool(mass and not shaped)
+        self.braised = any(map(self._is_braised, lone))
+        self.loose = self.braised or self._is_fried_in_pieces(lone) or bool(mass and not shaped)
         fried = self._are("is fried to be stacked")
         self.main = mass or lone or (fried if not self.raw else [])
         self.fried = [join for join in fried if join not in self.main]
@@ -69,6 +70,10 @@ class _CookedApart:
         if raw or not shaped:
             return raw
         return able or [join for join in self.joins if self._falls_apart(join)]
+
+    def _is_braised(self, flesh: Join) -> bool:
+        wet = any(join.want.facts.is_of(*word_list("is braised in")) for join in self.joins)
+        return wet and flesh.want.facts.is_of(*word_list("is braised"))
 
     def _lone_flesh(self, mass: Sequence[Join]) -> list[Join]:
         """Return the one piece of raw flesh on the bread; none beside a ``mass``, or where there are several."""
@@ -97,7 +102,9 @@ class _CookedApart:
             rest = [_at(join, top, ()) for join in self.joins if join not in self.fried]
             line, found = coated_apart(Line((top,)), rest)
             return self._with_fried(line, found)
-        mix, heat = replace(_MIX), replace(STIR, label="mixture") if self.loose else replace(COOK)
+        mix, heat = replace(_MIX), replace(COOK)
+        if self.loose:
+            heat = replace(SIMMER, vessel="pot", label="mixture") if self.braised else replace(STIR, label="mixture")
         stages = self._stages(mix, heat)
         top = replace(top, adds=(Line(stages),))
 

@@ -11,10 +11,11 @@ from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.additions import is_bath
 from foon_kg.integration.joining.course import WORKS, Plan
-from foon_kg.integration.joining.spots import Join, any_is, is_ladled, only_carries
+from foon_kg.integration.joining.spots import Join, any_is, is_ladled, only_carries, spots_of
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Stage
 
+_MELTS = word_list("melts on what is hot")
 _THICKENS = word_list("thickens what is boiled")
 
 
@@ -50,6 +51,29 @@ def _cooked_last(line: Line) -> int | None:
     if not hot or "dry" in line.stages[hot[-1]].does:
         return None
     return hot[-1] if all(stage.does.isdisjoint(WORKS) for stage in line.stages[hot[-1] + 1 :]) else None
+
+
+def strewn_under(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Join, ...]:
+    """Return joins with what is strewn under the dough of ``line`` where it comes on what it is baked on.
+
+    It would stick there otherwise. It is no part of the dough that is made of something else, nor of what lies on it.
+    ``known`` are the tables.
+    """
+    strewn = [join for join in joins if join.want.facts.is_any(word_list("is strewn under dough"))]
+    tin = _tin(line, known)
+    if tin is None or not any_is([join for join in joins if join not in strewn], "dough", "flour"):
+        return tuple(joins)
+    spot = {id(spot.stage): spot for spot in spots_of(line)}[id(tin)]
+    return tuple(replace(join, spot=spot, slot=None) if join in strewn else join for join in joins)
+
+
+def _tin(line: Line, known: Tables) -> Stage | None:
+    """Return the first stage of a line in something that one bakes in or on."""
+    for stage in line.stages:
+        row = known.utensil(stage.vessel) if stage.vessel else None
+        if row is not None and "bake" in row.can:
+            return stage
+    return None
 
 
 def wedges_last(
@@ -153,8 +177,9 @@ def _is_eaten_beside(want: Want, plan: Plan) -> bool:
 
 
 def _floats(facts: Food, others: Sequence[Food]) -> bool:
-    """Whether a food floats on what is boiled: bread, and what nothing else thickens."""
-    if facts.is_any(word_list("floats on top")):
+    """Whether a food floats on what is boiled: bread, what melts on that, and what nothing else thickens."""
+    floats = word_list("floats on top")
+    if facts.is_any(floats) or (facts.is_any(_MELTS) and any(one.is_any(floats) for one in others)):
         return True
     thick = any(one.is_a("flour", *_THICKENS) for one in others)
     melts_in = facts.is_any(word_list("melts into what is boiled"))

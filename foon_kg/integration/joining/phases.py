@@ -302,8 +302,13 @@ class _Phaser:
         boils = self.plan.one_pot or self._boils(vessel)
         if fat and not boils:
             return None
-        water = Slot("water", "water") if boils else None  # there is no such dish without a liquid
-        return vessel.water or water
+        if boils and (vessel.water is None or self._is_taken(vessel.water)):
+            return Slot("water", "water")  # there is no such dish without a liquid
+        return vessel.water
+
+    def _is_taken(self, water: Slot) -> bool:
+        """Whether a food joins in the stead of the water of the video: a stock cube, which is no liquid."""
+        return any(join.slot is water for join in self.plan.joins)
 
     def _boils(self, vessel: VesselOverHeat) -> bool:
         """Whether something in a vessel is not done unless it cooks in a liquid."""

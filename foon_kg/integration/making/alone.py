@@ -63,6 +63,9 @@ class Alone:
         self.bench.place(pot, "stove", "on")
         self.carry.water.boil(pot)
         self.bench.heat_off(pot)
+        beside = [one.want.facts for one in self.plan.joins if one.spot.stage is join.spot.stage]
+        if any(facts.is_any(word_list("makes dough rise")) for facts in beside):
+            self.bench.let_cool(pot, ready.stuff, want.names)  # it would kill what makes it rise
 
     # --- beaten ---
 
@@ -163,11 +166,13 @@ class Alone:
         steam.out_of_it(basket, pot)
 
     def _is_boiled(self, ready: Ready, method: Sequence[str]) -> bool:
-        """Whether a food is cooked in water: by its method, or as it is asked."""
+        """Whether a food is cooked in water: by its method, as it is asked, or because it is still in its shell."""
         want = ready.want
         if want.make in _BOILED or "boil" in owed(want, self.known):
             return True
-        return any("liquid" in self.known.motion(motion).does for motion in method)
+        if any("liquid" in self.known.motion(motion).does for motion in method):
+            return True
+        return ready.whole_shell and form_of(self.known, want.label, want.leaf) == "whole"
 
     def _bake_alone(self, ready: Ready, method: Sequence[str]) -> bool:
         """Bake a food by itself on a tray, with some of the fat that was asked; return whether the FOON shows how."""

@@ -140,8 +140,10 @@ class Carrier:
         self.bench.bring(moved, target, attested, leaves=len(moved) < len(stuffs))
 
     def _smearing(self, stage: Stage, stuffs: Sequence[Stuff], target: Vessel) -> Attested | None:
-        """Return how a stage spreads ``stuffs`` on what is in a vessel, where it does."""
+        """Return how a stage spreads ``stuffs`` on what is in a vessel, where it does: none of them is in one piece."""
         if not target.contents or "coat" not in stage.does or stage.motion not in word_list("greases"):
+            return None
+        if any(not SOLID.isdisjoint(stuff.states) for stuff in stuffs):
             return None
         foods = tuple(dict.fromkeys(food for stuff in stuffs for food in stuff.foods))
         return self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)

@@ -69,7 +69,13 @@ def _has_set(stuff: Stuff, foods: Sequence[Food], known: Tables) -> bool:
 
 def _is_baked_firm(stuff: Stuff, known: Tables) -> bool:
     """Whether a mixture was baked or steamed, and something in it bound the rest."""
-    return is_baked(stuff) and binds(stuff.foods, known)
+    if not is_baked(stuff):
+        return False
+    steamed = "baked" not in stuff.states
+    swells = steamed and any(
+        known.foods.food(food).is_any(word_list("sets when it is steamed")) for food in stuff.foods
+    )
+    return swells or binds(stuff.foods, known)
 
 
 def _has_liquid_left(foods: Sequence[Food]) -> bool:

@@ -53,9 +53,11 @@ class Dipping(Hands):
         return facts.is_any(_COATS)
 
     def _is_dipped(self, line: Vessel) -> bool:
-        """Whether a line makes what is dipped, and not what it is dipped into: it was given a form."""
+        """Whether a line makes what is dipped, and not what it is dipped into: it was given a form, or is no batter."""
         states = {state for stuff in line.contents for state in stuff.states}
-        return says(states, "keeps its shape")
+        if says(states, "keeps its shape"):
+            return True
+        return any(self.known.foods.food(food).is_any(word_list("is coated")) for food in foods_of(line))
 
     def _coat(self, stage: Stage, joins: Sequence[Join], lines: Sequence[Vessel]) -> Vessel:
         """Return a bowl with the coat in it, stirred where it is of several foods."""

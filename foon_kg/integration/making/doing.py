@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Set
 
 from foon_kg.integration.bench import Stuff, Vessel
-from foon_kg.integration.joining.course import MIXES, WORKS
+from foon_kg.integration.joining.course import COATS, MIXES, WORKS
 from foon_kg.integration.making.lifting import lifts_later
 from foon_kg.integration.making.outcome import MIXTURE, says_raw
 from foon_kg.integration.making.placing import Placing
@@ -89,7 +89,7 @@ class Doing:
     def product(self, turn: Turn, vessel: Vessel, way: Way) -> Product:
         """Return what a stage makes of what is in a vessel, when it is done in some way."""
         finished = not turn.is_heated_on or _is_next(turn, {"blend", "mash"})  # nobody mashes what is still hard
-        label = self._label(turn, vessel)
+        label = self._label(turn, vessel) or self._coated(turn, vessel)
         fried = None if label else self._fried(turn, vessel)
         if fried is not None:
             label = fried.label
@@ -103,6 +103,10 @@ class Doing:
         """Return what the whole is called after a stage; ``""`` where it gets no name by it."""
         last = turn.main and not self.stages.is_worked_later(turn.later) and not lifts_later(turn.later)
         return self.work.outcome.label(turn.stage, vessel, last=last, main=turn.main)
+
+    def _coated(self, turn: Turn, vessel: Vessel) -> str:
+        """Return what is called as before when a stage coats it, if anything."""
+        return self.work.outcome.coated(vessel) if turn.stage.does >= COATS else ""
 
     def _fried(self, turn: Turn, vessel: Vessel) -> Stuff | None:
         """Return the only food that a stage fries until it is done, if it fries one."""

@@ -84,6 +84,13 @@ class Outcome:
         needs = {one for dish in self.known.dishes_named(self.plan.label) for need in dish.needs for one in need}
         return any(meets(one, facts, self.known) for one in needs)
 
+    def coated(self, vessel: Vessel) -> str:
+        """Return what the one food is called that lies in a vessel in what coats it, ``""`` where there are several."""
+        coats = (*word_list("coats dry"), *word_list("coats wet"), *word_list("clings to what is coated"))
+        facts = self.known.foods.food
+        found = {s.label for s in vessel.contents if not all(facts(food).is_any(coats) for food in s.foods)}
+        return found.pop() if len(found) == 1 else ""
+
     # --- in which states it is ---
 
     def states(self, stage: Stage, vessel: Vessel, way: Way, *, product: bool, finished: bool) -> tuple[str, ...]:

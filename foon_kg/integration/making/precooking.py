@@ -198,6 +198,8 @@ class Precooking:
     def _as_told(self, join: Join, due: Collection[str]) -> tuple[str, ...]:
         """Return how a food is cooked before whatever the dish would do to it; nothing where that may do."""
         want = join.want
+        if self.is_fried_open(want) and not _is_done_there(join.spot, HEATS):
+            return _IN_A_PAN
         if self._is_cut_of_its_shell(want):
             return _IN_WATER
         shown = _shown(join)

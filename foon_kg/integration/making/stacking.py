@@ -81,9 +81,11 @@ class Stacking(Hands):
             self.work.stir(bowl, MIXTURE)
 
     def _lay_on(self, plate: Vessel, joins: Sequence[Join]) -> None:
-        """Lay foods on what is on a plate, first what melts on it."""
+        """Lay foods on what is on a plate, first what melts on it; fat that came along in what was made is there."""
+        there = frozenset().union(*(stuff.wants for stuff in plate.contents))
         for join in sorted(joins, key=lambda join: not join.want.facts.is_any(word_list("melts on what is hot"))):
-            self._bring_as_usual(join, plate)
+            if not (join.want.facts.is_a("fat") and join.want.number in there):
+                self._bring_as_usual(join, plate)
 
     def _close(self, plate: Vessel) -> None:
         """Roll or fold bread around what lies on it, where the dish is called so and the FOON shows how."""
@@ -172,7 +174,8 @@ class Stacking(Hands):
         return join.want.facts.is_any(_SEASONS) and not self._is_smeared(join)
 
     def _is_small(self, join: Join) -> bool:
-        return fineness(self.ready[join.want.number].stuff.states, self.known) >= CHOPPED
+        fine = fineness(self.ready[join.want.number].stuff.states, self.known)
+        return fine >= CHOPPED or join.want.facts.is_any(word_list("falls apart"))
 
     def _bring_as_usual(self, join: Join, vessel: Vessel) -> None:
         """Bring a food as is usual for it, and not as its slot has it."""

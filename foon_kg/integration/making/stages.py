@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from foon_kg.food import Food, Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.parted import PART
 from foon_kg.food.rows import MINCED
 from foon_kg.integration.bench import Stuff, Vessel, foods_of, is_baked, is_flat, is_heated
@@ -264,10 +264,11 @@ class Stages:
         return all(self._is_only_made_hot(food) for food in foods) and not self._is_awaited(later[0])
 
     def _is_not_to_be_held(self, stage: Stage, vessel: Vessel) -> bool:
-        """Whether nobody turns food over where it lies, or in its liquid."""
+        """Whether nobody turns food over where it lies, or in its liquid, or cuts what is in pieces."""
         if "turn" in stage.does and any(is_loose_in_liquid(stuff, self.known) for stuff in vessel.contents):
             return True
-        return "turn" in stage.does and not stage.appliance and is_flat(vessel.label)
+        turned = "turn" in stage.does and not stage.appliance and is_flat(vessel.label)
+        return turned or ("cut" in stage.does and self._is_in_pieces(vessel))
 
     def _is_mixed_needlessly(self, stage: Stage, vessel: Vessel, *, heats: bool) -> bool:
         """Whether there is one food only to be mixed, that is so already, or everything is mixed before."""
@@ -280,7 +281,7 @@ class Stages:
     def _works_one_food_needlessly(self, stage: Stage, vessel: Vessel, foods: Sequence[Food]) -> bool:
         """Whether hands would work one food that needs none of it: dough is rolled, and what is baked is cut open."""
         single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
-        rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough")
+        rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
         opened = stage.does == {"cut"} and is_heated(vessel.contents[0].states, self.known)
         return single and stage.does.isdisjoint({"peel", "wait"}) and not rolled and not opened
 
@@ -295,6 +296,17 @@ class Stages:
         if turns and len(later) > 1 and self.is_idle(later[0], vessel, later[1:]):
             return later[1]
         return next(iter(later), None)
+
+    def _is_in_pieces(self, vessel: Vessel) -> bool:
+        """Whether there is nothing to cut in what a dish is cooked in: all of it is small, or one with the rest."""
+        row = self.known.utensil(vessel.label)
+        fine = all(s.mixed or any(self.known.state(t).fineness > 0 for t in s.states) for s in vessel.contents)
+        return row is not None and bool(row.can & {"heat", "cook"}) and fine and len(vessel.contents) > 1
+
+    def _is_shaped(self, vessel: Vessel) -> bool:
+        """Whether dough was bought rolled out."""
+        names = {word for food in foods_of(vessel) for word in food.split()}
+        return says(names, "dough that is shaped")
 
     def _is_done_so(self, stage: Stage, stuff: Stuff) -> bool:
         """Whether one food is as a stage would make it: beaten before, in small bits, or dough that was bought."""

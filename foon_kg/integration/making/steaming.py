@@ -7,10 +7,13 @@ from collections.abc import Sequence
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Vessel, foods_of
 from foon_kg.integration.joining.batters import binds
+from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.making.consistency import is_wet
 from foon_kg.integration.making.doing import Doing
 from foon_kg.integration.making.hands import Hands
 from foon_kg.integration.making.turns import Incoming, Turn
 from foon_kg.integration.making.water import Steam
+from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import Stage, Steamed
 from foon_kg.integration.teaching.operators import Attested
 
@@ -47,7 +50,7 @@ class Steaming(Hands):
     def _filled(self, stage: Stage, vessel: Vessel | None, incoming: Incoming) -> Vessel:
         """Return a basket or dish with all that is steamed."""
         lines = [*([vessel] if vessel is not None else []), *incoming.lines]
-        holder = self._holder(stage, lines)
+        holder = self._holder(stage, lines, incoming.joins)
         under = [] if holder in lines else incoming.take(self.placing.lies_under)
         for join in under:
             self.bring(join, holder)
@@ -65,9 +68,20 @@ class Steaming(Hands):
             self.placing.grease(holder, line)
         self.carry.transfer(line, holder, stage)
 
-    def _holder(self, stage: Stage, lines: Sequence[Vessel]) -> Vessel:
-        """Return what is steamed in: one of ``lines``, the vessels of others, if it is such a one."""
-        return next((one for one in lines if one.label == stage.vessel), None) or self.bench.vessel(stage.vessel)
+    def _holder(self, stage: Stage, lines: Sequence[Vessel], joins: Sequence[Join]) -> Vessel:
+        """Return what the foods of some lines, and of ``joins``, are steamed in: what runs in no basket."""
+        label = stage.vessel
+        row = self.known.utensil(label)
+        if row is not None and "strain" in row.can and self._runs(lines, joins):
+            label = min(word_list("what runs is steamed in"))
+        return next((one for one in lines if one.label == label), None) or self.bench.vessel(label)
+
+    def _runs(self, lines: Sequence[Vessel], joins: Sequence[Join]) -> bool:
+        """Whether some of it would run through a basket."""
+        if any(is_wet(stuff, self.known) for one in lines for stuff in one.contents):
+            return True
+        stuffs = [self.ready[join.want.number].stuff for join in joins]
+        return any(form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} for stuff in stuffs)
 
     # --- the work ---
 

@@ -29,7 +29,7 @@ class Ways:
             return self.bench.require([(stage.motion, stage.tools)], foods)
         if stage.does >= {"heat", "mix"} and any(map(self._is_in_one_piece, vessel.contents)):
             return self.bench.require(self.cooking(), foods)
-        if stage.motion in word_list("needs a closed vessel"):
+        if stage.motion in word_list("needs a closed vessel") and not _is_closed(vessel):
             return self.stirring(foods)
         if "heat" in stage.does and "heat" not in self.known.motion(stage.motion).does:
             return self.stirring_hot(foods)
@@ -100,6 +100,10 @@ class Ways:
         return None
 
 
+def _is_closed(vessel: Vessel) -> bool:
+    return bool(vessel.lid) or vessel.label in word_list("closed vessels")
+
+
 def _is_mixed_by_hand(stage: Stage, vessel: Vessel) -> bool:
     """Whether a stage mixes with no tool what nothing heats and no machine turns, and is no work for hands (dough)."""
     if stage.tools or stage.appliance or vessel.device is not None:
@@ -112,4 +116,4 @@ def _is_the_same_for_any(stage: Stage) -> bool:
     chilled = stage.source == "cold" and "wait" in stage.does
     if stage.does in ({"shape"}, {"cut"}) or "blend" in stage.does or chilled:
         return True
-    return isinstance(stage, Asked)
+    return isinstance(stage, Asked) or stage.motion in word_list("pulls flesh apart")

@@ -56,7 +56,7 @@ class Preparer(Treater):
         elif self._comes_in_pieces(want, cut):
             self._take_in_pieces(ready, cut)
         else:
-            self._work_on(ready, due, cut, form)
+            self._work_on(ready, due, cut, form, alone=alone)
         return ready
 
     def _take_in_pieces(self, ready: Ready, cut: str) -> None:
@@ -65,7 +65,7 @@ class Preparer(Treater):
             self.assume(ready, cut)
             self.advise(ready)
 
-    def _work_on(self, ready: Ready, due: set[str], cut: str, form: Sequence[str]) -> None:
+    def _work_on(self, ready: Ready, due: set[str], cut: str, form: Sequence[str], *, alone: bool) -> None:
         """Clean a food of what is ``due``, then squeeze it, or drain and ``cut`` it; see :meth:`prepare`."""
         # in the order of hands: peeled and washed whole, drained before it is cut, and washed inside when it is
         self.clean(ready, due, cut)
@@ -83,7 +83,7 @@ class Preparer(Treater):
             self._cut(ready, min(word_list("is so when it is torn")))
             cut = ""  # no knife cuts what is soft with water
         self.advise(ready)
-        self._divide(ready, cut)
+        self._divide(ready, cut, alone=alone)
         self.clean_inside(ready, due)
         ready.cut_later = want.then or ready.cut_later
 
@@ -123,7 +123,7 @@ class Preparer(Treater):
         stuff.wants = frozenset({want.number})
         return stuff
 
-    def _divide(self, ready: Ready, cut: str) -> None:
+    def _divide(self, ready: Ready, cut: str, *, alone: bool) -> None:
         """Cut a food as it is asked or as it needs, now or once it is cooked."""
         want = ready.want
         if want.make in word_list("is cut off at the ends"):
@@ -131,7 +131,9 @@ class Preparer(Treater):
             return
         if want.facts.is_any(word_list("has tough ends")) and form_of(self.known, want.label, want.leaf) == "whole":
             self.trim(ready, min(word_list("is trimmed")))
-        if self.is_mashed_raw(want):
+        if self.is_mashed_raw(want) and want.facts.is_any(word_list("is flesh")) and not alone:
+            self._cut(ready, self.usual_cut(want))  # it falls into shreds only once it is cooked
+        elif self.is_mashed_raw(want):
             ready.cut_later = cut
         elif cut:
             self._cut(ready, cut)
