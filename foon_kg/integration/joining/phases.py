@@ -322,11 +322,12 @@ class _Phaser:
         return thickened_at_last(additions, [one for one in additions if self._is_bound_sauce(one)])
 
     def _is_bound_sauce(self, addition: Addition) -> bool:
-        """Whether starch was stirred cold into what comes, which has nothing solid in it."""
+        """Whether what comes was stirred cold with what binds it, and has no flesh in it."""
         if not isinstance(addition.what, Line) or not _is_mixed_cold(addition.what):
             return False
         facts = [join.want.facts for join in self._foods(addition.what)]
-        return any(one.is_a("starch") for one in facts) and not any(one.is_any(word_list("is flesh")) for one in facts)
+        binds = any(one.is_any(word_list("binds a sauce cold")) for one in facts)
+        return binds and not any(one.is_any(word_list("is flesh")) for one in facts)
 
     def _as_a_whole(self, additions: Sequence[Addition], within: Sequence[Join], *, bath: bool) -> list[Addition]:
         """Return ``additions`` with grain beside water, and eggs before rice and noodles, or after them in a sauce.

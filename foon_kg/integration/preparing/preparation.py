@@ -143,7 +143,7 @@ def as_there(want: Want, kitchen: AtHand) -> Want:
 def package_of(states: Iterable[str]) -> str:
     """Return in what a food comes from a shop that is not sold so, by its ``states``; ``""`` where it lies free."""
     # each of these names a list of states
-    packages = ("bag", "bottle", "container", "packet")
+    packages = ("bag", "bottle", "can", "container", "jar", "packet")
     return next((package for package in packages if says(states, f"comes in a {package}")), "")
 
 

@@ -46,7 +46,7 @@ def wants_of(
     found = []
     for number, (one, places) in enumerate(distinct.items(), start=1):
         want = replace(_in_turn(number, one, known, operators), part=one.part, places=places)
-        found.append(as_entitled(_cut_by_name(want, known), title, known, operators))
+        found.append(_in_a_package(as_entitled(_cut_by_name(want, known), title, known, operators)))
     return tuple(found)
 
 
@@ -110,7 +110,7 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     ):
         state = min(word_list("is beaten flat"))
     else:
-        return _in_a_package(_as_asked(number, one, known, operators))
+        return _as_asked(number, one, known, operators)
     return replace(_as_asked(number, replace(one, state=state), known, operators), asked=one.state)
 
 
