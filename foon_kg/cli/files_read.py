@@ -135,6 +135,7 @@ class Spool:
             if self._file is None:
                 self._file = tempfile.TemporaryFile(prefix="foon-kg-")  # noqa: SIM115 - closed with the spool
             pickle.dump(result.subgraph, self._file, pickle.HIGHEST_PROTOCOL)
+            self._file.flush()  # a full disk is told here
 
     def __iter__(self) -> Iterator[Subgraph]:
         """Return all that was added."""
@@ -150,7 +151,8 @@ class Spool:
 
     def __exit__(self, *_: object) -> None:
         if self._file is not None:
-            self._file.close()
+            with suppress(OSError):  # what a full disk did not take is tried once more
+                self._file.close()
 
 
 def remembered(files: Sequence[Path]) -> FilesRead | None:

@@ -49,12 +49,19 @@ def check_place(path: Path, hint: str) -> None:
     A place that is all right now may not be so later; :func:`write_file` tells that.
     """
     with writing(path, hint):
-        if not path.parent.exists():
-            raise OSError(errno.ENOENT, os.strerror(errno.ENOENT))
-        if path.is_dir():
-            raise OSError(errno.EISDIR, os.strerror(errno.EISDIR))
-        if not os.access(path if path.exists() else path.parent, os.W_OK):
-            raise OSError(errno.EACCES, os.strerror(errno.EACCES))
+        target = Path(os.path.realpath(path))
+        if (wrong := _wrong_with(target)) is not None:
+            raise OSError(wrong, os.strerror(wrong))
+
+
+def _wrong_with(target: Path) -> int | None:
+    """Return the number of the error with which :func:`write_whole` would refuse ``target``, no link, if it would."""
+    if target.is_dir():
+        return errno.EISDIR
+    if not target.parent.is_dir():
+        return errno.ENOTDIR if target.parent.exists() else errno.ENOENT
+    places = (target, target.parent) if target.exists() else (target.parent,)  # a file is put in the place of another
+    return None if any(os.access(place, os.W_OK) for place in places) else errno.EACCES
 
 
 def write_whole(path: Path, content: str | bytes, mode: int | None = None) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import tempfile
+from pathlib import Path
 
 import pytest
 from kitchen_stories import SALAD, subgraph
@@ -12,7 +13,7 @@ from typer.testing import CliRunner
 from foon_kg.cli import app, files_read
 from foon_kg.foon import Foon
 from foon_kg.loaders import ReadResult, paths, write_text
-from foon_kg.model.errors import UsageError
+from foon_kg.model.errors import FoonError, UsageError
 
 GOOD = write_text(subgraph("good", "salad", *SALAD))
 ODD = "O\tonion\t0\nO\tonion\t1\n//\n" + GOOD.partition("//\n")[2].replace("onion", "qwxyz")
@@ -146,4 +147,11 @@ def test_a_spool_gives_back_what_came_in_its_order_from_memory_and_file():
 def test_a_full_folder_of_temporary_files_is_told(monkeypatch):
     monkeypatch.setattr(tempfile, "tempdir", "/dev/full")
     with files_read.Spool(most=0) as spool, pytest.raises(UsageError, match="cannot be written"):
+        spool.add(ReadResult("a", subgraph("a", "salad", *SALAD)))
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device here is a full disk")
+def test_a_disk_that_is_full_is_told_while_files_are_read(monkeypatch):
+    monkeypatch.setattr(tempfile, "TemporaryFile", lambda **_: Path("/dev/full").open("r+b"))  # noqa: SIM115
+    with pytest.raises(FoonError, match="no space is left there"), files_read.Spool(most=0) as spool:
         spool.add(ReadResult("a", subgraph("a", "salad", *SALAD)))

@@ -16,6 +16,8 @@ from foon_kg.evaluation.resampling import Interval
 from foon_kg.evaluation.scores import without_tree
 from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.model.errors import UsageError
+from foon_kg.model.written_files import check_place
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
 from foon_kg.formats.pictures.charts import curve_chart, histogram_chart, interval_chart
@@ -135,6 +137,16 @@ def test_hostile_names_stay_words_and_the_worst_are_those_with_a_tree():
     assert "<img" not in html
     assert "&lt;b&gt;no&lt;/b&gt;" in html
     assert worst((failed, replace(failed, error=""))) == ()
+
+
+def test_a_place_is_refused_that_lies_in_no_folder(tmp_path):
+    (tmp_path / "file").write_text("", encoding="utf-8")
+    for place, why in (("file/report", "Not a directory"), ("none/report", "No such file"), (".", "Is a directory")):
+        with pytest.raises(UsageError, match=why):
+            check_place(tmp_path / place, "Name another.")
+    for place in ("file", "new"):
+        check_place(tmp_path / place, "Name another.")
+    assert not (tmp_path / "new").exists()
 
 
 @pytest.mark.parametrize("asked", [["recipes", "--html"], ["recipes", "--scores-to"], ["leave-one-out", "--html"]])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 
 import pytest
@@ -9,7 +10,7 @@ from kitchen_stories import SALAD, subgraph
 
 from foon_kg.model import Subgraph
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.graph.taught import Ahead, taught_by
+from foon_kg.store.graph.taught import SWITCH_SECONDS, Ahead, taught_by
 
 KITCHEN = Kitchen.default()
 BATCHES = [[subgraph(f"{number}{part}", "salad", *SALAD[number:]) for part in "ab"] for number in range(4)]
@@ -69,3 +70,21 @@ def test_an_interrupted_writer_leaves_no_thread():
     with pytest.raises(KeyboardInterrupt), Ahead(KITCHEN) as ahead:
         be_interrupted(ahead)
     assert set(threading.enumerate()) == before
+
+
+def test_threads_take_short_turns_until_the_last_load_ends_whichever_that_is():
+    before = sys.getswitchinterval()
+    first, second = Ahead(KITCHEN), Ahead(KITCHEN)
+    first.__enter__()
+    second.__enter__()
+    first.__exit__()
+    assert sys.getswitchinterval() == pytest.approx(min(before, SWITCH_SECONDS))
+    second.__exit__()
+    assert sys.getswitchinterval() == pytest.approx(before)
+
+
+def test_threads_take_turns_as_before_after_a_load_that_failed():
+    before = sys.getswitchinterval()
+    with pytest.raises(KeyboardInterrupt), Ahead(KITCHEN) as ahead:
+        be_interrupted(ahead)
+    assert sys.getswitchinterval() == pytest.approx(before)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import threading
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -20,6 +21,36 @@ from foon_kg.store.snapshot import frames_in
 SWITCH_SECONDS = 0.0005
 """So long the thread that works ahead keeps the interpreter from the writer, which needs it back after each read of its
 socket: Python's own 5 ms are longer than most statements take, and a statement reads several times."""
+
+
+class _ShortTurns:
+    """Threads take turns of :data:`SWITCH_SECONDS` at most while any load is under way, as before when the last ends.
+
+    The interval is that of the whole program: loads of several threads may end in another order than they began.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._loads = 0
+        self._before = 0.0
+
+    def begin(self) -> None:
+        """Begin with a load."""
+        with self._lock:
+            if not self._loads:
+                self._before = sys.getswitchinterval()
+                sys.setswitchinterval(min(self._before, SWITCH_SECONDS))
+            self._loads += 1
+
+    def end(self) -> None:
+        """End what :meth:`begin` began."""
+        with self._lock:
+            self._loads -= 1
+            if not self._loads:
+                sys.setswitchinterval(self._before)
+
+
+_SHORT_TURNS = _ShortTurns()
 
 
 @dataclass(frozen=True)
@@ -51,15 +82,13 @@ class Ahead:
         self._kitchen = kitchen
         self._pool = ThreadPoolExecutor(max_workers=1)
         self._begun: dict[str, Future[Taught]] = {}
-        self._switching = sys.getswitchinterval()
 
     def __enter__(self) -> Ahead:
-        self._switching = sys.getswitchinterval()
-        sys.setswitchinterval(min(self._switching, SWITCH_SECONDS))
+        _SHORT_TURNS.begin()
         return self
 
     def __exit__(self, *_: object) -> None:
-        sys.setswitchinterval(self._switching)
+        _SHORT_TURNS.end()
         self._pool.shutdown(cancel_futures=True)
 
     def begin(self, videos: Iterable[Subgraph]) -> None:
