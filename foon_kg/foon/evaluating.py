@@ -54,10 +54,9 @@ class Evaluating(Answering):
     ) -> list[Recipe]:
         """Return the recipes of files and folders (``paths``) that are of ``dish_types`` (none: all), as they are read.
 
-        At most ``sample`` of each type are drawn by ``seed`` (any whole number; the same draws the same), all where it
-        is ``None``; ``noted`` hears what had to be decided to
-        read them. Raises :class:`~foon_kg.model.errors.ReadError` for what is no recipe, and where two of one type
-        have one id.
+        At most ``sample`` of each type are drawn by ``seed`` (any whole number; the same draws the same), all where
+        ``sample`` is ``None``; ``noted`` hears what had to be decided to read them. Raises
+        :class:`~foon_kg.model.errors.ReadError` for what is no recipe, and where two of one type have one id.
 
         >>> from foon_kg.foon.demo import demo_recipes
         >>> [one.id for one in foon.recipes_to_evaluate(*demo_recipes(), dish_types=["salad"], sample=1)]
@@ -80,8 +79,8 @@ class Evaluating(Answering):
     ) -> list[Recipe]:
         """Return the recipes in the Neo4j of ``collection`` that surely are of ``dish_types``, in words of this FOON.
 
-        At most ``sample`` of each type are drawn by ``seed``, all where it is ``None``. Raises ``UsageError`` for a
-        ``collection`` in files.
+        At most ``sample`` of each type are drawn by ``seed``, all where ``sample`` is ``None``. Raises ``UsageError``
+        for a ``collection`` in files.
 
         >>> foon.loaded_to_evaluate(foon, ["salad"])
         Traceback (most recent call last):
