@@ -149,16 +149,20 @@ def classes_of(recipe: CollectedRecipe) -> tuple[DishClass, ...]:
 def is_heading(text: str) -> bool:
     """Return whether the ``text`` of a line names a part of the dish and no food: "For the sauce", "TOPPING".
 
-    So does what ends in a colon.
+    So do what ends in a colon and what begins with "for the", whatever the part is called, and has no comma.
 
     >>> is_heading("For the cake batter:"), is_heading("1 cup sauce"), is_heading("tomato sauce")
     (True, False, False)
+    >>> is_heading("For the cobbler"), is_heading("For the pan, butter")
+    (True, False)
     """
     words = text.strip(" *-_").split()
     if not words or any(map(str.isdigit, text)):
         return False
     if words[-1].endswith(":"):
         return True
+    if re.match(r"for the \w", " ".join(words), re.IGNORECASE):
+        return "," not in text
     part = canonical(words[-1]) in _PARTS
     return part and (len(words) == 1 or text.isupper() or words[0].lower() == "for")
 
