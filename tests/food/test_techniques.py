@@ -175,6 +175,35 @@ def lists_of_foods():
     return {name for path in programs for name in asked.findall(path.read_text(encoding="utf-8"))} & set(word_lists())
 
 
+@cache
+def texts(ending):
+    """Return all that stands in the files of the package with an ``ending``."""
+    package = Path(foon_kg.__file__).parent
+    return "\n".join(path.read_text(encoding="utf-8") for path in sorted(package.rglob(f"*{ending}")))
+
+
+@cache
+def shapes():
+    """Return patterns of the names that the program makes of a part and a word."""
+    programs = texts(".py")
+    made = re.findall(r'(?:word_list|word_lists\(\)\.get|says)\([^\n]*?f"([^"\n]+)"', programs)
+    starts = re.findall(r'"([a-z]+(?: [a-z]+)+ )"', programs)
+    patterns = [".+".join(map(re.escape, re.split(r"\{[^}]*\}", one))) for one in made]
+    return re.compile("|".join([*patterns, *(f"{re.escape(start)}.+" for start in starts)]))
+
+
+def is_read(name):
+    """Return whether the program reads a list: by its name, by a row that has it, or by a part of its name."""
+    programs = texts(".py")
+    told = f'"{name}"' in programs or f"'{name}'" in programs or re.search(rf"@{re.escape(name)}\b", texts(".toml"))
+    return bool(told) or shapes().fullmatch(name) is not None
+
+
+def test_every_list_is_read():
+    assert not is_read("a list that nobody reads")
+    assert [name for name in word_lists() if not is_read(name)] == []
+
+
 def test_a_list_of_foods_has_only_such_as_there_are():
     found = lists_of_foods()
     assert found
