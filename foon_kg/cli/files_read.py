@@ -138,7 +138,7 @@ class Spool:
             self._file.flush()  # a full disk is told here
 
     def __iter__(self) -> Iterator[Subgraph]:
-        """Return all that was added."""
+        """Yield the subgraphs that were added, in their order."""
         yield from self._held
         if self._file is not None:
             self._file.seek(0)

@@ -212,8 +212,5 @@ def test_a_sauce_bound_with_starch_comes_after_what_is_fried_for_a_moment(steps)
         for place, (inputs, _, _) in enumerate(told)
         if "mixture" in inputs and inputs & {"cooking pan", "wok", "frying pan"}
     )
-    fried = [
-        place for place, (inputs, motion, _) in enumerate(told) if "bok choy" in inputs and motion == "cook and stir"
-    ]
-    assert fried
-    assert fried[0] < poured
+    fried = {food for inputs, motion, _ in told[:poured] if motion == "cook and stir" for food in inputs}
+    assert {"tofu", "snow pea", "bok choy"} <= fried

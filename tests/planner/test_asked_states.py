@@ -204,14 +204,24 @@ def test_eggs_that_are_bought_boiled_are_only_peeled(steps):
     assert first(told, "hard-boiled egg", "peel") < len(told) - 1
 
 
-@pytest.mark.parametrize(
-    ("dish", "title", "foods", "motion"),
-    [
-        ("drinks", "", ("water:liquid", "cinnamon stick:whole", "sugar:granulated", "rum:liquid"), "cook"),
-        ("pudding", "", ("bread:cubed", "egg:beaten", "milk:liquid", "sugar:granulated", "butter:melted"), "bake"),
-        ("potatoes", "Roasties", ("potato:halved", "goose fat:creamy", "salt:granulated"), "bake"),
-    ],
-)
-def test_foods_that_tell_the_method_are_made_by_it(steps, dish, title, foods, motion):
-    told = steps(dish, title, *foods)
-    assert motion in {one for _, one, _ in told}
+def test_spirits_come_to_water_that_was_boiled_with_its_spices(steps):
+    told = steps("drinks", "", "water:liquid", "cinnamon stick:whole", "sugar:granulated", "rum:liquid")
+    boiled = first(told, "cinnamon stick", "cook")
+    assert all("rum" not in inputs for inputs, _, _ in told[: boiled + 1])
+    assert any("rum" in inputs for inputs, _, _ in told[boiled + 1 :])
+
+
+def test_bread_eggs_and_milk_of_a_pudding_are_baked_together(steps):
+    told = steps("pudding", "", "bread:cubed", "egg:beaten", "milk:liquid", "sugar:granulated", "butter:melted")
+    baked = next(place for place, (_, motion, _) in enumerate(told) if motion == "bake")
+    came = {food for inputs, _, _ in told[:baked] for food in inputs}
+    assert {"bread", "egg", "milk", "sugar", "butter"} <= came
+
+
+def test_roasties_are_boiled_before_they_are_baked_in_their_fat(steps):
+    told = steps("potatoes", "Roasties", "potato:halved", "goose fat:creamy", "salt:granulated")
+    water, fat = (
+        next(place for place, (inputs, _, _) in enumerate(told) if food in inputs) for food in ("water", "goose fat")
+    )
+    baked = next(place for place, (_, motion, _) in enumerate(told) if motion == "bake")
+    assert water < fat < baked
