@@ -28,7 +28,7 @@ demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a
 test: $(INSTALLED_FOR_TESTS)  ## every test, against a real Neo4j
 	$(BIN)/python -m pytest -n auto --durations=20
 
-test-quick: $(INSTALLED_FOR_TESTS)  ## most tests in 60 seconds of a quiet machine: without a Neo4j, a browser or what takes long by itself
+test-quick: $(INSTALLED_FOR_TESTS)  ## most tests: without a Neo4j, a browser or what takes long by itself
 	$(BIN)/python -m pytest -n auto -m $(QUICK)
 
 check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of imports, how many a command makes, and that the house gets no worse

@@ -318,6 +318,10 @@ HELD: Mapping[str, int] = {
     "the most complex": 10,
     f"pairs of files that share {RUN} lines": 5,
     SILENT: 0,
+    "caches: Recent": 12,
+    "caches: cached_property": 230,
+    "caches: cache, lru_cache": 91,
+    "limits: MOST_…": 88,
 }
 """What may not get worse: the most of each figure. Whoever makes one better lowers it here."""
 

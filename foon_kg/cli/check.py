@@ -169,7 +169,7 @@ def _show(tree: TaskTree, report: Report, *, as_json: bool) -> None:
     if as_json:
         print_json(_json(tree, report))
     else:
-        typer.echo("\n".join(_lines(tree, report)))
+        typer.echo("\n".join(report.lines(_verdict(tree, report))))
 
 
 def _json(tree: TaskTree, report: Report) -> JsonObject:
@@ -178,45 +178,8 @@ def _json(tree: TaskTree, report: Report) -> JsonObject:
     return value if tree.error is None else value | dict.fromkeys(("accepted", "robot", "cook", "form"), False)
 
 
-def _lines(tree: TaskTree, report: Report) -> Iterator[str]:
-    yield f"{report.name}: {_verdict(tree, report)}"
-    for level, minor in (("fatal", False), ("minor", True)):
-        findings = [finding for finding in report.findings if finding.minor is minor]
-        if findings:
-            yield f"  {level}:"
-            yield from (f"    {_in_words(finding)}" for finding in findings)
-    yield from (f"  {note}" for note in report.notes)
-    yield from _not_asked(report)
-
-
-def _not_asked(report: Report) -> Iterator[str]:
-    """Yield, for each reason, the rules that were not asked; C9 compares trees, and is asked of one never."""
-    rules: dict[str, list[str]] = {}
-    for rule, why in report.not_asked:
-        rules.setdefault(why, []).append(rule)
-    for why, named in rules.items():
-        if named != ["C9"]:
-            yield f"  not asked: {', '.join(named)} ({why})"
-
-
 def _verdict(tree: TaskTree, report: Report) -> str:
-    from foon_kg.validation import FORM
-
     if tree.error is not None:
         return "no tree"
-    broken = [rule for rule in report.fatal if rule in FORM]
-    form = f"form broken: {', '.join(broken)}" if broken else "form kept"
-    if tree.level is not None:  # a reference tree keeps the paper's own terms, which know neither robot nor cook
-        return form
-    said = "accepted" if report.accepted else "not accepted"
-    return f"{said} (robot {_yes(report.robot)}, cook {_yes(report.cook)}, {form})"
-
-
-def _yes(is_so: bool) -> str:
-    return "yes" if is_so else "no"
-
-
-def _in_words(finding: Finding) -> str:
-    place = "" if finding.step is None else f" step {finding.step + 1}"
-    about = "; ".join(map(str, finding.nodes))
-    return f"{finding.rule}{place}{',' if place and about else ''}{' ' if about else ''}{about}: {finding.reason}"
+    # a reference tree keeps the paper's own terms, which know neither robot nor cook
+    return report.verdict if tree.level is None else report.form_in_words

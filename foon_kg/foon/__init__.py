@@ -285,15 +285,33 @@ class Foon(Evaluating):
         with self.reading() as view:
             return IngredientWords(view.words_for((), names_in(texts)), Kitchen.default())
 
-    def suggest(self, foods: Iterable[str], most: int = 5) -> tuple[Suggestion, ...]:
+    def suggest(self, foods: Iterable[str] | Kitchen | ReadKitchen, most: int = 5) -> tuple[Suggestion, ...]:
         """Return at most ``most`` dishes that can be made of ``foods``, the best first.
 
-        Utensils among ``foods`` are then the only ones that are there. Raises what :meth:`suggestions` raises.
+        ``foods`` are names, or a kitchen that names some, as :meth:`kitchen` reads it. Utensils among them are then the
+        only ones that are there. Raises what :meth:`suggestions` raises.
 
         >>> foon.suggest(["egg", "butter", "salt"], most=1)[0].goal.node.label
         'omelette'
+        >>> foon.suggest(foon.kitchen(foods=["egg", "butter", "salt"]), most=1)[0].missing
+        ()
         """
-        return self.suggestions(self.kitchen(foods=foods).kitchen, most).found
+        return self.suggestions(self._kitchen_of(foods), most).found
+
+    def _kitchen_of(self, foods: Iterable[str] | Kitchen | ReadKitchen) -> StockedKitchen:
+        """Return the kitchen that has ``foods``; raises UsageError for one that has everything, and for one word."""
+        from foon_kg.planning.kitchen_file import ReadKitchen
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.plans.stock import StockedKitchen
+
+        kitchen = foods.kitchen if isinstance(foods, ReadKitchen) else foods
+        if isinstance(kitchen, StockedKitchen):
+            return kitchen
+        if isinstance(kitchen, Kitchen):
+            raise UsageError("this kitchen names no food", hint="Foon.kitchen reads one that names what is at hand.")
+        if isinstance(kitchen, str):
+            raise UsageError("foods are several names", hint=f'Give a list: ["{kitchen}"].')
+        return self.kitchen(foods=kitchen).kitchen
 
     def suggestions(self, kitchen: StockedKitchen, most: int = 5, time_limit: float | None = 20.0) -> Suggestions:
         """Return the at most ``most`` dishes that ``kitchen`` makes best, and how many were looked at.

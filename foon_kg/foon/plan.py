@@ -16,7 +16,7 @@ from foon_kg.model.errors import UsageError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.tree import TreeUnit
 from foon_kg.planning.batch import Answer, Question
-from foon_kg.planning.explanation import Explanation
+from foon_kg.planning.explanation import Explanations
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.result import PlanResult
 from foon_kg.validation import KnownFoon, Report, check
@@ -115,22 +115,30 @@ class Plan:
     def check(self) -> Report:
         """Return what the judge says: whether a robot could carry it out and a cook would serve it, and every finding.
 
-        The judge knows nothing of the planner (docs/contract.md).
+        The judge knows nothing of the planner (docs/contract.md). Printed it is what ``foon check`` prints.
 
         >>> plan.check().accepted
         True
+        >>> print(plan.check())
+        plan: accepted (robot yes, cook yes, form kept)
         """
         known, kitchen = self._foon.known_with(self._settings), self._settings.kitchen
         return check(self.result.tree, known, kitchen.free_foods, named_so=kitchen.names_so)
 
-    def explain(self) -> tuple[Explanation, ...]:
+    def explain(self) -> Explanations:
         """Return for each asked food why it is made as it is: after which dish, where it joins, on what evidence.
+
+        Printed it is sentences, each :class:`~foon_kg.foon.Explanation` of it has the same as fields.
 
         >>> plan.explain()[0].videos
         ('bean_salad', 'farmhouse_omelette', 'garden_salad')
+        >>> print(plan.explain()[2])
+        olive oil (liquid)
+          has a place in the recorded dish, and is handled as FOON handles it in bean_salad, garden_salad
+          joins the others in step 7 (pour), where olive oil joins in the recorded dish (1.00 like it)
         """
         question = Question(given=self.result.recipe)
-        return self._foon.answer(question, self._settings, explain=True).explanations
+        return Explanations(self._foon.answer(question, self._settings, explain=True).explanations)
 
     def to_json(self) -> JsonObject:
         """Return the plan as ``foon plan --json`` prints it.

@@ -31,6 +31,9 @@ class PassedOver:
     confidence: float
     why: str
 
+    def __str__(self) -> str:
+        return f"{self.state} {self.label} ({self.confidence:.2f})".strip()
+
 
 @dataclass(frozen=True)
 class Joining:
@@ -45,6 +48,15 @@ class Joining:
     like: str = ""
     likeness: float = 0.0
     left_open: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        """Return where the food joins, and in whose place, as the end of a sentence about it."""
+        where = f"joins the others in step {self.step} ({self.motion})" if self.step else f"joins in “{self.motion}”"
+        if self.like and round(self.likeness, 1) > 0:
+            return f"{where}, where {self.like} joins in the recorded dish ({self.likeness:.2f} like it)"
+        if self.left_open:
+            return f"{where}, in the place of {', '.join(self.left_open)}, which nobody asked for"
+        return where
 
 
 @dataclass(frozen=True)
@@ -64,6 +76,57 @@ class Explanation:
     videos: tuple[str, ...] = ()
     joins: Joining | None = None
     passed_over: tuple[PassedOver, ...] = ()
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """Where the food comes from and where it joins the others, a sentence each."""
+        joins = () if self.joins is None else (str(self.joins),)
+        return (_origin(self) + _renamed_so(self), *joins)
+
+    @property
+    def others(self) -> tuple[str, ...]:
+        """The known foods that were passed over, a sentence for each reason."""
+        reasons = dict.fromkeys(other.why for other in self.passed_over)
+        named = {why: ", ".join(str(other) for other in self.passed_over if other.why == why) for why in reasons}
+        return tuple(f"not like {names}: {why}" for why, names in named.items())
+
+    def __str__(self) -> str:
+        """Return the food with its state, and below it each sentence."""
+        want = f"{self.want.object} ({self.want.state})" if self.want.state else self.want.object
+        return "\n  ".join((want, *self.reasons, *self.others))
+
+
+class Explanations(tuple[Explanation, ...]):
+    """The explanations of a plan in the order of its recipe: a tuple that prints as sentences."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self))
+
+
+def _origin(one: Explanation) -> str:
+    """Return how the food of an explanation comes to what it is, where that was seen and how sure it is."""
+    seen = f" in {', '.join(one.videos)}" if one.videos else ""
+    like = one.label if one.label != one.want.object else "it"
+    sure = f", {one.confidence:.2f} sure" if one.confidence < 1 else ""
+    chosen = ", as you chose" if one.chosen else ""
+    match one.how:
+        case "played":
+            return f"has a place in the recorded dish, and is handled as FOON handles {like}{seen}{sure}{chosen}"
+        case "made":
+            return f"is made ready as FOON makes {like}{seen}{sure}{chosen}"
+        case "sold":
+            return "joins as it is sold"
+        case "assumed":
+            return "is assumed to be there: nothing in this FOON, nor any fair equivalent, makes it so"
+        case "missing":
+            return "does not get into this dish"
+
+
+def _renamed_so(one: Explanation) -> str:
+    pairs = [f"“{asked}” is read as {meant}" for asked, meant in one.renamed]
+    return f" ({', '.join(pairs)})" if pairs else ""
 
 
 def explanations(attempt: Attempt, likes: RecipeLikes) -> tuple[Explanation, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -45,6 +45,13 @@ class Finding:
         place = "" if self.step is None else f" step {self.step + 1}"
         about = f" {'; '.join(map(str, self.nodes))}" if self.nodes else ""
         return f"{self.rule}{' (minor)' if self.minor else ''}{place}{about}: {self.reason}"
+
+    @property
+    def in_words(self) -> str:
+        """The finding where its level is told already: rule, step (from 1), nodes and reason."""
+        place = "" if self.step is None else f" step {self.step + 1}"
+        about = "; ".join(map(str, self.nodes))
+        return f"{self.rule}{place}{',' if place and about else ''}{' ' if about else ''}{about}: {self.reason}"
 
     def to_json(self) -> dict[str, Any]:
         """Return the finding as JSON; ``unit`` counts from 0."""
@@ -108,6 +115,44 @@ class Report:
         """Return the findings of some rules."""
         wanted = frozenset(rules)
         return tuple(finding for finding in self.findings if finding.rule in wanted)
+
+    @property
+    def form_in_words(self) -> str:
+        """Whether the form is kept, or which of its rules are broken."""
+        broken = [rule for rule in self.fatal if rule in FORM]
+        return f"form broken: {', '.join(broken)}" if broken else "form kept"
+
+    @property
+    def verdict(self) -> str:
+        """Whether the tree is accepted, by robot and by cook, and keeps its form, in words."""
+        if not self.played:
+            return "no tree"
+        said = "accepted" if self.accepted else "not accepted"
+        robot, cook = ("yes" if accepts else "no" for accepts in (self.robot, self.cook))
+        return f"{said} (robot {robot}, cook {cook}, {self.form_in_words})"
+
+    def lines(self, verdict: str) -> Iterator[str]:
+        """Yield the lines that ``foon check`` prints: ``verdict``, findings, notes, which rules were not asked."""
+        yield f"{self.name}: {verdict}"
+        for level, minor in (("fatal", False), ("minor", True)):
+            findings = [finding for finding in self.findings if finding.minor is minor]
+            if findings:
+                yield f"  {level}:"
+                yield from (f"    {finding.in_words}" for finding in findings)
+        yield from (f"  {note}" for note in self.notes)
+        yield from self._not_asked_in_words()
+
+    def _not_asked_in_words(self) -> Iterator[str]:
+        """Yield, for each reason, the rules that were not asked; C9 compares trees, and is asked of one never."""
+        rules: dict[str, list[str]] = {}
+        for rule, why in self.not_asked:
+            rules.setdefault(why, []).append(rule)
+        for why, named in rules.items():
+            if named != ["C9"]:
+                yield f"  not asked: {', '.join(named)} ({why})"
+
+    def __str__(self) -> str:
+        return "\n".join(self.lines(self.verdict))
 
     def to_json(self) -> dict[str, Any]:
         """Return the report as JSON."""

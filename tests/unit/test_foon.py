@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import foon_kg
-from foon_kg import Foon, foon
+from foon_kg import Foon, Kitchen, foon
 from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.foon import answering, changing, collected, drafting, evaluating, exploring, opened, plan
 from foon_kg.foon.demo import demo_folder, demo_recipes
@@ -124,6 +124,32 @@ def test_other_questions_are_answered(door):
     assert nearest[0].confidence >= nearest[1].confidence
     assert door.retrieve("omelette").units
     assert door.suggest(["egg", "butter", "salt"], most=2)[0].goal.node.label.endswith("omelette")
+
+
+def test_dishes_are_suggested_for_a_kitchen_as_for_the_names_in_it(door, tmp_path):
+    (tmp_path / "kitchen.txt").write_text("egg\nbutter\nsalt\n", encoding="utf-8")
+    read = door.kitchen(tmp_path / "kitchen.txt")
+    named = door.suggest(["egg", "butter", "salt"], most=2)
+    assert len(named) == 2
+    assert door.suggest(read, most=2) == door.suggest(read.kitchen, most=2) == named
+
+
+@pytest.mark.parametrize("foods", [Kitchen.default(), "egg"], ids=["everything", "one word"])
+def test_what_names_no_foods_is_refused(door, foods):
+    with pytest.raises(UsageError) as error:
+        door.suggest(foods)
+    assert error.value.hint
+
+
+def test_what_a_plan_says_of_itself_prints_as_sentences(salad):
+    told = str(salad.explain()).splitlines()
+    assert [line for line in told if not line.startswith(" ")] == [
+        "onion (chopped)",
+        "tomato (diced)",
+        "olive oil (liquid)",
+    ]
+    assert "  joins the others in step 6 (scrape), where onion joins in the recorded dish (1.00 like it)" in told
+    assert str(salad.check()) == "plan: accepted (robot yes, cook yes, form kept)"
 
 
 def test_many_questions_have_the_answers_that_each_has_alone(door):

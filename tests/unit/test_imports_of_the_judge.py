@@ -11,7 +11,7 @@ PACKAGE = Path(__file__).parents[2] / "foon_kg"
 MAY_IMPORT = {
     "food": {"foon_kg.food", "foon_kg.model"},
     "world": {"foon_kg.food", "foon_kg.model", "foon_kg.world"},
-    "validation": {"foon_kg.docs", "foon_kg.food", "foon_kg.model", "foon_kg.validation", "foon_kg.world"},
+    "validation": {"foon_kg.food", "foon_kg.model", "foon_kg.validation", "foon_kg.world"},
 }
 
 

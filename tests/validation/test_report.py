@@ -45,6 +45,21 @@ def test_a_finding_reads_as_rule_level_step_nodes_and_reason(finding, words):
     assert str(finding) == words
 
 
+def test_a_report_prints_its_verdict_and_every_finding_by_level():
+    found = (Finding("W1", "it is gone", 2, minor=True), Finding("C3", "nobody makes it", 0))
+    report = Report("salad", found, (("C9", "one tree"), ("C4", "no recipe"), ("C5", "no recipe")), ("water is free",))
+    assert str(report).splitlines() == [
+        "salad: accepted (robot yes, cook yes, form broken: C3)",
+        "  fatal:",
+        "    C3 step 1: nobody makes it",
+        "  minor:",
+        "    W1 step 3: it is gone",
+        "  water is free",
+        "  not asked: C4, C5 (no recipe)",
+    ]
+    assert str(Report("soup", (), played=False)) == "soup: no tree"
+
+
 def test_a_finding_counts_its_step_from_0_in_json_and_names_its_level():
     assert Finding("W1", "it is gone", 0, (TOMATO,)).to_json() == {
         "rule": "W1",
