@@ -16,6 +16,7 @@ from foon_kg.store.graph import Connection, load
 from foon_kg.store.graph.free_cypher import ask_freely
 from foon_kg.store.graph.interruptible import interruptible
 from foon_kg.store.graph.looking import only_looking
+from foon_kg.store.graph.patterns import MOST_UNBOUNDED
 from foon_kg.store.graph.question_words import read_pieces
 
 ENDLESS = {
@@ -65,6 +66,10 @@ TOO_MUCH = {
     "a pattern that nobody knows": "MATCH (n) RETURN n.name =~ n.pattern",
     "one in brackets": "RETURN $text =~ ('.*' + $text)",
     "one with a hidden sign": "RETURN $text =~ '\\\\c\\\\*'",
+    "one that hides what it repeats": "RETURN $text =~ '(?x)((.*a) *a) *b'",
+    "one that hides it by two flags": "RETURN $text =~ '(?Ux)((.*a) *a) *b'",
+    "one that hides it within": "RETURN $text =~ 'a(?i-sx:((.*a)#\n*a) *b)'",
+    "a pattern that may lack eleven parts": "RETURN $text =~ '" + "a?" * 11 + "'",
 }
 MOST_SECONDS = 60
 """In which a server that others keep busy, too, ends what it was told to end."""
@@ -208,6 +213,29 @@ def test_a_text_is_no_longer_than_its_pattern_bears(served, pattern, most, write
         with pytest.raises(GraphError, match="too long for its pattern") as refused:
             ask_freely(served[1], question, {"text": "a" * length}, write=write)
         assert refused.value.code == "too-much"
+
+
+@pytest.mark.parametrize(
+    ("pattern", "why"),
+    [
+        ("'(a|aa)*b'", "repeats a group"),
+        ("'(?x)(a|aa) *b'", "flag x"),
+        ("'.*.*.*.*b'", "has 4 of *, + and {…}, and 3 are the most"),
+        ("'" + "a?" * 11 + "'", "has 11 of ?, and 10 are the most"),
+        ("'a.*' = true", "joined by +: ="),
+        ("n.pattern", "neither a string nor a parameter"),
+    ],
+)
+def test_it_is_told_why_a_pattern_is_refused(pattern, why):
+    with pytest.raises(GraphError) as refused:
+        only_looking(f"MATCH (n) RETURN n.name =~ {pattern}")
+    assert why in refused.value.message
+
+
+def test_the_longest_texts_go_as_far_as_patterns_do():
+    """A pattern that says all it may has a bound to its texts."""
+    hardest = ".*" * MOST_UNBOUNDED + "a?"
+    assert "CASE WHEN size" in interruptible(read_pieces(f"RETURN $text =~ '{hardest}'"))
 
 
 @pytest.mark.parametrize("text", ["'a' + n.name", "n.name || 'a'", "CASE WHEN true THEN $text END", "-n.name"])

@@ -1,6 +1,9 @@
 """Regular expressions in a question: known before it is asked, and such that no text takes hours to be matched.
 
-Neo4j hands them to Java, which goes back and tries again, and which nobody interrupts at it.
+Neo4j hands them to Java, which goes back and tries again, and which nobody interrupts at it. So a pattern has to be
+written down, or given as a parameter. One that repeats a group, or too many parts, is refused
+(:func:`refuse_hard_patterns`); where one repeats a few, the server refuses texts that are too long for it by what is
+put around them (:func:`bounded_texts`).
 """
 
 from __future__ import annotations
@@ -12,69 +15,103 @@ from typing import Any
 from foon_kg.model.errors import GraphError
 from foon_kg.store.graph.question_words import CLOSED, Around, Token, partners, too_much
 
-MOST_OPEN = 3
-"""How often a pattern may say “as many as there are” (``*``, ``+``, ``{…}``): each is a factor of a text's length."""
-
-MOST_CHOICES = 10
-"""How often it may say “or nothing” (``?``)."""
-
 LONGEST_TEXT = {2: 10_000, 3: 500, 4: 100}
-"""How many characters may be held against a pattern that says “as many as there are” twice, and so on (``?`` counts as
-one more): some 10⁸ steps at most, which take a second or so."""
+"""How many characters may be held against a pattern that says “as many as there are” (``*``, ``+``, ``{…}``) twice, and
+so on; ``?`` counts as one more. Each is a factor of a text's length: some 10⁸ steps at most, a second or so."""
+
+MOST_UNBOUNDED = max(LONGEST_TEXT) - 1
+"""How often a pattern may say “as many as there are”, so that with a ``?`` beside there is a bound to its texts."""
+
+MOST_OPTIONAL = 10
+"""How often it may say “or nothing” (``?``): each doubles what is tried, together 2¹⁰ times."""
 
 TOO_LONG = "a text is too long for its pattern"
 """What the server says of one, in the words of a date that is none."""
 
-HINT = "Use CONTAINS or STARTS WITH, or a plainer pattern: “.*(onion|leek).*”."
+PLAINER_PATTERN = "Use CONTAINS or STARTS WITH, or a plainer pattern: “.*(onion|leek).*”."
 
 _PIECE = re.compile(
-    r"(?P<fine>\\[dDwWsSbBnrt]|\\[^0-9A-Za-z]|\(\?[a-z]*[:)]?)|(?P<hidden>\\)|(?P<group>\)[*+{])"
-    r"|(?P<open>[*+{][?+]?)|(?P<choice>\?)|.",
-    re.DOTALL,
+    r"""
+      (?P<flag_x>\(\?[A-Za-z-]*x)            # behind it, spaces and remarks may part a group from its “*”
+    | (?P<harmless>
+          \\[dDwWsSbBnrt] | \\[^0-9A-Za-z]   # a kind of sign, or a sign itself
+        | \(\?[A-Za-z-]*[:)]? )              # what begins a group, and flags: no “or nothing”
+    | (?P<unknown_escape>\\)                 # \1 repeats a text, \Q hides signs
+    | (?P<repeated_group>\)[*+{])
+    | (?P<unbounded>[*+{][?+]?)
+    | (?P<optional>\?)
+    | .
+    """,
+    re.VERBOSE | re.DOTALL,
 )
+_REFUSED = {
+    "repeated_group": "repeats a group",
+    "unknown_escape": "has a sign behind a backslash that is not known here",
+    "flag_x": "has the flag x, behind which spaces hide what it repeats",
+}
 _BOUNDED = f"CASE WHEN size(toStringOrNull(text)) > {{most}} THEN date('{TOO_LONG}') ELSE text END"
 _WORDS_BEFORE = frozenset(
     {"and", "by", "case", "distinct", "else", "not", "or", "return", "then", "when", "where", "with", "xor"}
 )
+"""Keywords behind which an expression begins."""
+
 _SIGNS_BEFORE = frozenset("([{,|:=")
-_AFTER = {")", "]", "}", ",", "|", ";"}
+"""The signs behind which one begins, and to which nothing binds it."""
+
+_ENDS_PATTERN = frozenset(")]},|;")
+"""The signs that end a pattern, as every word does."""
+
 _ESCAPED = {"n": "\n", "r": "\r", "t": "\t", "b": "\b", "f": "\f"}
+"""What a letter behind a backslash is in a string of Cypher; any other sign is itself (``\\u`` is refused before)."""
 
 
 def refuse_hard_patterns(tokens: Sequence[Token], parameters: Mapping[str, Any]) -> None:
     """Raise GraphError where a pattern in ``tokens`` is neither written down nor one of ``parameters``, or too hard.
 
-    Too hard is what a server could be at for hours.
+    Too hard is what a server could be at for hours, with the code ``too-much``.
+
+    >>> from foon_kg.store.graph.question_words import read
+    >>> refuse_hard_patterns(read("MATCH (n) WHERE n.name =~ '.*leek.*' RETURN n"), {})
+    >>> refuse_hard_patterns(read("MATCH (n) WHERE n.name =~ '(a|aa)*b' RETURN n"), {})
+    Traceback (most recent call last):
+    foon_kg.model.errors.GraphError: this question is too much to ask: a pattern repeats a group
     """
-    for place in range(len(tokens) - 1):
+    for place in _places(tokens):
+        _refuse_if_hard(_pattern(tokens[place + 2 :], parameters))
+
+
+def _places(tokens: Sequence[Token]) -> Iterator[int]:
+    """Yield the place of each ``=~`` (two signs) that has something before it."""
+    for place in range(1, len(tokens) - 1):
         if (tokens[place].text, tokens[place + 1].text) == ("=", "~"):
-            _judge(_pattern(tokens[place + 2 :], parameters))
+            yield place
 
 
 def _pattern(tokens: Sequence[Token], parameters: Mapping[str, Any]) -> str:
-    """Return the text after ``=~``: strings and parameters, joined by ``+``."""
+    """Return the pattern with which ``tokens`` begin: strings and parameters, joined by ``+``."""
     parts: list[str] = []
-    for place, token in enumerate(tokens):
-        if place % 2 == 0:
-            parts.append(_text(token, parameters))
+    for number, token in enumerate(tokens):
+        is_operand = number % 2 == 0
+        if is_operand:
+            parts.append(_value_of(token, parameters))
         elif token.text != "+":
-            if token.kind in {"word", "quoted"} or token.text in _AFTER:
+            if token.kind in {"word", "quoted"} or token.text in _ENDS_PATTERN:
                 break
-            raise _unknown()
+            raise too_much(
+                f"what follows =~ is more than strings and parameters that are joined by +: {token.text}",
+                hint="Where the sign belongs to what is compared, put the comparison into brackets: (n.name =~ '…').",
+            )
     return "".join(parts)
 
 
-def _text(token: Token, parameters: Mapping[str, Any]) -> str:
+def _value_of(token: Token, parameters: Mapping[str, Any]) -> str:
+    """Return the text that a string or a parameter is; raises GraphError for anything else."""
     if token.kind == "string":
         return re.sub(r"\\(.)", lambda found: _ESCAPED.get(found[1], found[1]), token.text[1:-1], flags=re.DOTALL)
     name = token.text[1:].removeprefix("`").removesuffix("`").replace("``", "`")
     if token.kind == "word" and token.text.startswith("$") and isinstance(parameters.get(name, ""), str):
         return str(parameters.get(name, ""))  # one that is not given is the server's to miss
-    raise _unknown()
-
-
-def _unknown() -> GraphError:
-    return too_much(
+    raise too_much(
         "what follows =~ is neither a string nor a parameter", hint="Write the pattern down, or use CONTAINS."
     )
 
@@ -82,33 +119,49 @@ def _unknown() -> GraphError:
 def bounded_texts(pieces: Sequence[Token], parameters: Mapping[str, Any]) -> Iterator[Around]:
     """Yield what is put around each text that is held against a pattern, such that a server refuses one too long.
 
-    ``pieces`` are those of the question, asked with ``parameters``. Raises GraphError where it is not plain what that
+    ``pieces`` are all those of the question, spaces too, asked with ``parameters``; the places are places in them. Only
+    a pattern that has an entry in ``LONGEST_TEXT`` bounds its texts. Raises GraphError where it is not plain what that
     text is.
+
+    >>> from foon_kg.store.graph.question_words import put_around, read_pieces
+    >>> pieces = read_pieces("RETURN n.name =~ '.*a.*b'")
+    >>> put_around(pieces, bounded_texts(pieces, {}))[:76]
+    'RETURN [text IN [n.name] | CASE WHEN size(toStringOrNull(text)) > 10000 THEN'
     """
     places = [place for place, piece in enumerate(pieces) if piece.kind != "space"]
     tokens = [pieces[place] for place in places]
-    for at in range(1, len(tokens) - 2):
-        if (tokens[at].text, tokens[at + 1].text) == ("=", "~"):
-            most = LONGEST_TEXT.get(_degree(_pattern(tokens[at + 2 :], parameters)))
-            if most is not None:
-                first = places[_begin_of_operand(tokens, at - 1)]
-                yield Around(first, "[text IN [", places[at - 1], f"] | {_BOUNDED.format(most=most)}][0]")
+    for at in _places(tokens):
+        most = LONGEST_TEXT.get(_degree(_pattern(tokens[at + 2 :], parameters)))
+        if most is not None:
+            first = places[_begin_of_operand(tokens, at - 1)]
+            yield Around(first, "[text IN [", places[at - 1], f"] | {_BOUNDED.format(most=most)}][0]")
 
 
 def too_long() -> GraphError:
     """Return the error for a text that is longer than what may be held against its pattern."""
-    most = ", ".join(f"{most:,} with {degree}" for degree, most in LONGEST_TEXT.items())
-    return too_much(f"a text is too long for its pattern (*, + or {{…}}, and ?: at most {most} of them)", hint=HINT)
+    most = ", ".join(f"{most:,} where they are {degree}" for degree, most in LONGEST_TEXT.items())
+    return too_much(
+        f"{TOO_LONG}: by how many *, + and {{…}} there are in it, ? being one more, it may have {most}",
+        hint=PLAINER_PATTERN,
+    )
+
+
+def _kinds(pattern: str) -> list[str | None]:
+    """Return what each piece of a pattern is, by the names in ``_PIECE``; ``None`` of a plain sign."""
+    return [found.lastgroup for found in _PIECE.finditer(pattern)]
 
 
 def _degree(pattern: str) -> int:
-    """Return to which power of a text's length a pattern may take."""
-    kinds = [found.lastgroup for found in _PIECE.finditer(pattern)]
-    return kinds.count("open") + ("choice" in kinds)
+    """Return the power of a text's length that is how many steps matching it may take."""
+    kinds = _kinds(pattern)
+    return kinds.count("unbounded") + ("optional" in kinds)
 
 
 def _begin_of_operand(tokens: Sequence[Token], last: int) -> int:
-    """Return where the text begins that ends at ``last``: a string, a bracket, a name with its properties, a call."""
+    """Return where the text begins that ends at ``last``: a string, a bracket, a name with its properties, a call.
+
+    Raises GraphError where an operator stands before it, since that may bind it to more.
+    """
     first = _begin_of_term(tokens, last)
     joined = first > 1 and tokens[first - 1].text == tokens[first - 2].text == "|"
     if not first or (_stands_before(tokens[first - 1]) and not joined):
@@ -119,7 +172,10 @@ def _begin_of_operand(tokens: Sequence[Token], last: int) -> int:
 
 
 def _begin_of_term(tokens: Sequence[Token], last: int) -> int:
-    """Return the same, by brackets and dots alone."""
+    """Return where a string, bracket, name or call begins that ends at ``last``, by brackets and dots alone.
+
+    An operator before it may bind it to more (``'a' + n.name``).
+    """
     opened_at = {closed: opened for opened, closed in partners(tokens).items()}
     first = last
     while True:
@@ -145,9 +201,11 @@ def _stands_before(token: Token) -> bool:
     return token.lower in _WORDS_BEFORE or token.text in _SIGNS_BEFORE
 
 
-def _judge(pattern: str) -> None:
-    kinds = [found.lastgroup for found in _PIECE.finditer(pattern)]
-    if "hidden" in kinds or "group" in kinds:
-        raise too_much("a pattern repeats a group, or has a sign that is not known here", hint=HINT)
-    if kinds.count("open") > MOST_OPEN or kinds.count("choice") > MOST_CHOICES:
-        raise too_much(f"a pattern repeats more than {MOST_OPEN} parts", hint=HINT)
+def _refuse_if_hard(pattern: str) -> None:
+    kinds = _kinds(pattern)
+    for kind, why in _REFUSED.items():
+        if kind in kinds:
+            raise too_much(f"a pattern {why}", hint=PLAINER_PATTERN)
+    for kind, sign, most in (("unbounded", "*, + and {…}", MOST_UNBOUNDED), ("optional", "?", MOST_OPTIONAL)):
+        if (count := kinds.count(kind)) > most:
+            raise too_much(f"a pattern has {count} of {sign}, and {most} are the most", hint=PLAINER_PATTERN)
