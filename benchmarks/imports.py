@@ -55,7 +55,7 @@ DEMO = demo_folder()
 HEAVY = frozenset({"pandas", "pyarrow", "requests", "spacy", "jgo"})
 COMMANDS = (
     Command(("--help",), 48, 40, HEAVY),
-    Command(("cypher", "RETURN 1"), 39, 260, HEAVY | {"numpy"}),
+    Command(("cypher", "RETURN 1"), 40, 260, HEAVY | {"numpy"}),
     Command(("stats",), 38, 260, HEAVY | {"numpy"}),
     Command(("load", "foon", str(DEMO)), 64, 260, HEAVY | {"numpy"}, again=True),
     Command(("similar", "caper"), 65, 355, HEAVY),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 from functools import cache
 
@@ -9,8 +10,10 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+from foon_kg import Foon
 from foon_kg.cli import app
 from foon_kg.foon.demo import demo_folder, demo_recipes
+from foon_kg.store.graph import free_cypher
 
 SHORT = {"--limit": "-n", "--format": "-f", "--output": "-o", "--quiet": "-q", "--jobs": "-j", "--param": "-P"}
 SPEAKS_JSON = ("mcp",)
@@ -107,3 +110,12 @@ def test_an_export_is_asked_in_json_with_the_same_word(plan):
     as_json, by_format = (CliRunner().invoke(app, [*call, *more]).stdout for more in (["--json"], ["--format", "json"]))
     assert json.loads(as_json) == json.loads(by_format)
     assert CliRunner().invoke(app, [*call, "--json", "--format", "dot"]).exit_code == 2
+
+
+def test_a_question_in_cypher_has_the_same_limits_at_every_door():
+    command = dict(commands(typer.main.get_command(app)))[("cypher",)]
+    told = {option.name: option.default for option in command.params if option.name in ("limit", "timeout")}
+    assert told == {"limit": free_cypher.ROW_LIMIT, "timeout": free_cypher.TIME_LIMIT}
+    for asks in (Foon.cypher, free_cypher.ask_freely):
+        parameters = inspect.signature(asks).parameters
+        assert {name: parameters[name].default for name in told} == told

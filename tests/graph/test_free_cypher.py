@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import logging
+import re
 from concurrent.futures import ThreadPoolExecutor
 
 import neo4j
@@ -9,7 +11,7 @@ import pytest
 from kitchen_stories import SALAD, subgraph
 
 from foon_kg.model.errors import GraphError, WriteRefused
-from foon_kg.store.graph import Connection, load
+from foon_kg.store.graph import Connection, free_cypher, load
 from foon_kg.store.graph.free_cypher import ask_freely
 
 pytestmark = pytest.mark.neo4j
@@ -291,6 +293,60 @@ def test_nothing_is_logged_beside_the_answer(everything, caplog):
     assert caplog.records == []
 
 
+@pytest.mark.parametrize("write", [False, True])
+@pytest.mark.parametrize("column", ["'ab' =~ '.*a.*b'", "[x IN [1, 2] | x ]", "[x IN ['ab'] | x =~ '.*a.*b']"])
+def test_a_column_is_called_as_it_was_typed(everything, column, write):
+    assert ask_freely(everything[0], f"RETURN {column}, 1 AS one", write=write).columns == (column, "one")
+
+
+@pytest.mark.parametrize("write", [False, True])
+@pytest.mark.parametrize(
+    ("text", "where"),
+    [
+        ("MATCH (n)\nWHERE n.name =~ '.*a.*b' RETURN\n nobody", "(line 3, column 2)"),
+        ("MATCH (n) RETURN [x IN [1] | x], nobody", "(line 1, column 34)"),
+        ("MATCH (n) WHERE n.name =~ '.*a.*b' RETRN n", "(line 1, column 36)"),
+    ],
+)
+def test_an_error_stands_where_it_was_typed_though_other_words_are_asked(everything, text, where, write):
+    with pytest.raises(GraphError) as told:
+        ask_freely(everything[0], text, write=write)
+    assert told.value.code == "cypher"
+    first, shown, _ = told.value.message.split("\n")
+    assert first.endswith(where)
+    assert shown.strip() in text
+
+
+def test_once_the_time_is_over_nothing_more_is_asked(everything):
+    connection, look = everything
+    before = look()
+    with pytest.raises(GraphError) as late:
+        ask_freely(connection, "CREATE (n:Note)", write=True, timeout=0)
+    assert late.value.code == "timeout"
+    assert look() == before
+
+
+@pytest.mark.parametrize(
+    ("text", "write", "times"),
+    [
+        ("MATCH (n:Objct) RETURN [x IN [1] | n.labl]", False, 4),  # its plan, two lists of names, itself
+        ("MATCH (n:Objct) SET n.x = [x IN [1] | x]", True, 3),  # two plans, itself
+    ],
+)
+def test_all_that_a_server_is_asked_has_one_deadline(everything, caplog, text, write, times):
+    with caplog.at_level(logging.DEBUG, "neo4j.io"):
+        ask_freely(everything[0], text, write=write, timeout=20)
+    left = limits_told(caplog)
+    assert len(left) == times
+    assert left == sorted(left, reverse=True)
+    assert 20_000 >= left[0] > left[-1]
+
+
+def limits_told(caplog):
+    """Return the milliseconds that the server was given for each question."""
+    return [int(found) for found in re.findall(r"'tx_timeout': (\d+)", caplog.text)]
+
+
 def test_with_write_the_graph_changes_and_the_changes_are_counted(empty_graph):
     with Connection(empty_graph) as connection:
         made = ask_freely(connection, "CREATE (n:Note {text: 'x'}) RETURN n.text AS text", write=True)
@@ -299,7 +355,25 @@ def test_with_write_the_graph_changes_and_the_changes_are_counted(empty_graph):
         assert ask_freely(connection, "MATCH (n:Note) RETURN count(n) AS n").rows == ((1,),)
 
 
-def test_two_changes_that_wait_for_each_other_are_made_one_after_the_other(empty_graph):
+def test_what_a_profiled_write_changed_is_counted(empty_graph):
+    with Connection(empty_graph) as connection:
+        told = ask_freely(connection, "PROFILE CREATE (n:Note {text: 'x'})", write=True)
+        assert told.columns[-1] == "db_hits"
+        assert told.changes == {"labels_added": 1, "nodes_created": 1, "properties_set": 1}
+
+
+def test_the_size_of_a_path_counts(empty_graph, monkeypatch):
+    monkeypatch.setattr(free_cypher, "LARGEST_ANSWER", 1_000)
+    with Connection(empty_graph) as connection:
+        made = "CREATE (:Note {text: $text})-[:NEXT {text: $text}]->(:Note {text: $text})"
+        ask_freely(connection, made, {"text": "a" * 300}, write=True)
+        path = "MATCH p = (:Note)-[:NEXT]->(:Note) RETURN "
+        assert len(ask_freely(connection, path + "p").rows) == 1
+        with pytest.raises(GraphError, match="larger than"):
+            ask_freely(connection, path + "p, p AS again")
+
+
+def test_two_changes_that_wait_for_each_other_are_made_one_after_the_other(empty_graph, caplog):
     """Neo4j ends one of them, of which nothing stays: it is the one that holds fewer locks."""
     settings = empty_graph
     typed = "MATCH (b:Note {k: 0}) SET b.by = 'typed' WITH b MATCH (a:Note {k: 1}) SET a.by = 'typed'"
@@ -310,6 +384,7 @@ def test_two_changes_that_wait_for_each_other_are_made_one_after_the_other(empty
         driver.session() as session,
     ):
         driver.execute_query("UNWIND range(0, 200) AS k CREATE (:Note {k: k})")
+        caplog.set_level(logging.DEBUG, "neo4j.io")
         with session.begin_transaction() as held:
             held.run("MATCH (n:Note) WHERE n.k > 0 SET n.by = 'held'").consume()
             waiting = another.submit(ask_freely, connection, typed, write=True, timeout=300)
@@ -319,5 +394,7 @@ def test_two_changes_that_wait_for_each_other_are_made_one_after_the_other(empty
             held.run("MATCH (n:Note {k: 0}) SET n.by = 'held'").consume()
             held.commit()
         assert waiting.result().changes == {"properties_set": 2}
+        first, *_, last = limits_told(caplog)
+        assert first > last
         by = driver.execute_query("MATCH (n:Note) RETURN n.by AS by, count(n) AS n").records
         assert {row["by"]: row["n"] for row in by} == {"typed": 2, "held": 199}

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from foon_kg.cypher import explore_queries
 from foon_kg.model.errors import GraphError, WriteRefused
 from foon_kg.store.graph import Connection
-from foon_kg.store.graph.free_cypher import MOST_BYTES, MOST_ON_THE_WIRE, ask_freely
+from foon_kg.store.graph.free_cypher import LARGEST_ANSWER, MOST_ON_THE_WIRE, ask_freely
 from foon_kg.store.graph.looking import only_looking
 from foon_kg.store.graph.question_words import DEEPEST, MOST_CHARACTERS, MOST_WORDS, read
 
@@ -169,7 +169,7 @@ def test_of_a_row_that_is_too_large_no_more_is_read_than_is_bounded(neo4j_server
         finally:
             tracemalloc.stop()
         assert large.value.code == "too-much"
-        assert peak < MOST_ON_THE_WIRE + MOST_BYTES
+        assert peak < MOST_ON_THE_WIRE + LARGEST_ANSWER
         assert ask_freely(connection, "RETURN 1 AS one").rows == ((1,),)
     assert not caplog.records
 
@@ -178,7 +178,7 @@ def test_of_a_row_that_is_too_large_no_more_is_read_than_is_bounded(neo4j_server
 def test_a_connection_has_the_whole_bound_for_each_question(neo4j_server):
     question = "UNWIND range(1, 10) AS n RETURN reduce(s = 'abcdefghij', i IN range(1, 17) | s + s) AS s"
     with Connection(neo4j_server) as connection:
-        for _ in range(2 + 2 * MOST_ON_THE_WIRE // MOST_BYTES):
+        for _ in range(2 + 2 * MOST_ON_THE_WIRE // LARGEST_ANSWER):
             assert len(ask_freely(connection, question).rows) == 10
 
 

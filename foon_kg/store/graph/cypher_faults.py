@@ -1,4 +1,4 @@
-"""What is wrong with Cypher that a person typed, in his own lines and columns: errors, and names that nothing has."""
+"""What is wrong with Cypher that a person typed, in their own lines and columns: errors, and names that nothing has."""
 
 from __future__ import annotations
 
@@ -22,12 +22,20 @@ _UNKNOWN = {
 _MANUAL = "See the Cypher manual: neo4j.com/docs/cypher-manual."
 
 
-def told_error(message: str, text: str, *, lines_before: int) -> GraphError:
-    """Return the error for a ``message`` of the server about ``text``; it got so many ``lines_before`` of ours."""
+def told_error(message: str, text: str | None, *, lines_before: int = 0) -> GraphError:
+    """Return the error for a ``message`` of the server about ``text``; it got so many ``lines_before`` of ours.
+
+    The place is left out where the server was asked in words that nobody typed: ``text`` is None then.
+
+    >>> print(told_error("Invalid input 'RETRN' (line 2, column 11 (offset: 20))", "MATCH (o) RETRN o", lines_before=1))
+    Invalid input 'RETRN' (line 1, column 11)
+      MATCH (o) RETRN o
+                ^
+    """
     place = _PLACE.search(message)
     what = message if place is None else message[: place.start()]
     where = ""
-    if place is not None:
+    if place is not None and text is not None:
         line, column = int(place["line"]) - lines_before, int(place["column"])
         where = f" (line {line}, column {column})" + _pointed(text, line, column)
     return GraphError(what + where, hint=_hint(what), code="cypher")

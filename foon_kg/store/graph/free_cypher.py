@@ -4,13 +4,15 @@ The READ access mode of Neo4j refuses every write to the graph, its schema and i
 reaches outside the graph (``LOAD CSV``), what disturbs others (``TERMINATE TRANSACTIONS``, some procedures) and what
 tells about the server (``SHOW …``, but for indexes and constraints). So its words are read first
 (:mod:`foon_kg.store.graph.looking`), then its plan is looked at, and nothing of that kind is run.
+
+What is run may be other words that mean the same, and that a server can end (:class:`_Question`); columns, warnings and
+faults are told in those that were typed.
 """
 
 from __future__ import annotations
 
-import threading
-import time
-from collections.abc import Callable, Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -21,26 +23,26 @@ from neo4j.graph import Node, Path, Relationship
 from foon_kg.model.errors import GraphError, WriteRefused
 from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.cypher_faults import told_error, unknown_names
+from foon_kg.store.graph.deadline import Deadline
 from foon_kg.store.graph.incoming import bound, too_much_came
 from foon_kg.store.graph.interruptible import interruptible
 from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking, refuse_the_endless
 from foon_kg.store.graph.patterns import TOO_LONG, bounded_texts, too_long
-from foon_kg.store.graph.preface import unplanned
+from foon_kg.store.graph.preface import without_plan_word
 from foon_kg.store.graph.question_words import asked, put_around, read_pieces
 from foon_kg.store.graph.told_plans import COLUMNS, PROFILED, name_and_details, operators, rows_of
 
 ROW_LIMIT = 1_000
+"""How many rows are answered where nobody says another number; the door and the command have the same."""
+
 TIME_LIMIT = 30.0
-"""Seconds."""
+"""Seconds that a question may take where nobody says another number; the door and the command have the same."""
 
-GRACE = 2.0
-"""Seconds after its time limit in which a server may say itself that it ended a question."""
+LARGEST_ANSWER = 16_000_000
+"""How large an answer may be, anything but a text counting as eight characters."""
 
-MOST_BYTES = 16_000_000
-"""How large an answer may be."""
-
-MOST_ON_THE_WIRE = 2 * MOST_BYTES
-"""So much of it is read: what a row holds is known only once it is there whole."""
+MOST_ON_THE_WIRE = 2 * LARGEST_ANSWER
+"""So many bytes of it are read: what a row holds is known only once it is there whole."""
 
 MOST_AT_ONCE = 1_000
 """Rows that the server sends without being asked for more."""
@@ -53,6 +55,7 @@ _AT_ONCE = "Eager"
 _ACCESS_MODE = "Neo.ClientError.Statement.AccessMode"
 _WAITED_FOR_EACH_OTHER = "Neo.TransientError.Transaction.DeadlockDetected"
 _TIMED_OUT = "Neo.ClientError.Transaction.TransactionTimedOut"
+"""How the codes for it begin: another one ends in who set the time (``…ClientConfiguration``)."""
 _NO_MEMORY = ("Neo.TransientError.General.OutOfMemoryError", "Neo.TransientError.General.MemoryPoolOutOfMemoryError")
 
 
@@ -60,8 +63,8 @@ _NO_MEMORY = ("Neo.TransientError.General.OutOfMemoryError", "Neo.TransientError
 class Answer:
     """The rows of a query. ``cut`` says that there were more; ``changes`` counts what a write changed.
 
-    ``warnings`` name labels, types and properties that nothing in the graph has. The rows of ``EXPLAIN`` and
-    ``PROFILE`` are the operators of the plan.
+    ``warnings`` name labels, types and properties that nothing in the graph has; a write has none. The rows of
+    ``EXPLAIN`` and ``PROFILE`` are the operators of the plan.
     """
 
     columns: tuple[str, ...]
@@ -71,8 +74,37 @@ class Answer:
     warnings: tuple[str, ...] = ()
 
     def plain_rows(self) -> list[list[Any]]:
-        """Return the rows in the types of JSON: nodes, edges and paths as objects, times and places as text."""
+        """Return the rows in the types of JSON: nodes, edges and paths as objects, times and places as text.
+
+        >>> from datetime import date
+        >>> Answer(("day", "n"), ((date(2021, 5, 4), 7),), cut=False, changes={}).plain_rows()
+        [['2021-05-04', 7]]
+        """
         return [[_plain(value) for value in row] for row in self.rows]
+
+
+@dataclass(frozen=True)
+class _Question:
+    """A question in words that mean the same, and within what it is to be answered.
+
+    ``unplanned`` is to be EXPLAINed: as it was typed, but for comments where it may only look, and for ``plan_word``
+    before it (``explain``, ``profile``, or nothing). In ``bounded`` no text is too long for its pattern; ``endable`` is
+    that, and a server can end its list expressions as well.
+    """
+
+    typed: str
+    unplanned: str
+    plan_word: str
+    bounded: str
+    endable: str
+    parameters: dict[str, Any]
+    limit: int
+    deadline: Deadline
+
+    @property
+    def is_asked_as_typed(self) -> bool:
+        """Whether there is nothing in it that other words could bound or end."""
+        return self.typed == self.bounded == self.endable
 
 
 def ask_freely(
@@ -88,182 +120,162 @@ def ask_freely(
 
     It is run once, with ``parameters``; a change that had to be ended for another's is tried again.
 
-    Raises :class:`~foon_kg.model.errors.WriteRefused` for anything but a look at the graph (unless ``write``),
-    GraphError where the text is no Cypher, fails, takes longer than ``timeout`` seconds (``timeout``; the server is
-    told to end it and may not heed, the caller is answered nevertheless) or answers more than ``MOST_BYTES``
-    (``too-much``). Of what could keep a server at it for hours, and is not asked, the code is ``too-much``, too.
+    Raises :class:`~foon_kg.model.errors.WriteRefused` for anything but a look at the graph (unless ``write``), and, be
+    it to ``write`` or not, for a text in which something could hide. Raises GraphError, by its code, where the text is
+    no Cypher or fails (``cypher``); where planning and running it takes longer than ``timeout`` seconds (``timeout``;
+    the server is told to end it and may not heed, the caller is answered nevertheless); where it answers more than
+    ``LARGEST_ANSWER``, or could keep a server at it for hours and is not asked (``too-much``); where the server had
+    too little ``memory``, or ended of it (``server-ended``); where it and another change waited for each other
+    (``waited``); and what :meth:`Connection.session` raises.
     """
-    typed = text
+    question = _question(text, dict(parameters or {}), limit, Deadline.after(timeout), write=write)
+
+    def ask() -> Answer:
+        at_once = min(limit + 1, MOST_AT_ONCE)  # one row more than is shown tells that there are more
+        with connection.session(writing=write, warned=True, at_once=at_once) as session, _server_ended():
+            return _ask_to_write(session, question) if write else _ask_to_look(session, question)
+
+    return question.deadline.within(ask, writing=write)
+
+
+def _question(text: str, parameters: dict[str, Any], limit: int, deadline: Deadline, *, write: bool) -> _Question:
+    """Return what is asked; raises WriteRefused and GraphError for what no server shall see."""
     pieces = read_pieces(text) if write else only_looking(text, parameters)
     if write:
         refuse_the_endless(asked(pieces), parameters)
-    else:
-        text = "".join(piece.text for piece in pieces)
-    bounded = put_around(pieces, bounded_texts(pieces, parameters or {}))
+    bounded = put_around(pieces, bounded_texts(pieces, parameters))
     endable = interruptible(pieces, parameters, writing=write)
-
-    def ask() -> Answer:
-        with connection.session(writing=write, warned=True, at_once=min(limit + 1, MOST_AT_ONCE)) as session:
-            try:
-                planned = _planned(session, text, typed, parameters, timeout, write=write)
-                if planned is not None and planned.mode == "explain":
-                    return _answered_plan(planned.summary.plan, planned.warnings, limit)
-                if planned is None:
-                    same = endable != bounded and _to_write(session, text, endable, parameters, timeout)
-                    return _run_again(session, endable if same else bounded, parameters, limit, timeout)
-                answer = _run(session, endable, parameters, limit, timeout)
-                columns = answer.columns if planned.mode else planned.columns
-                return replace(answer, columns=columns, warnings=planned.warnings)
-            except driver_errors.Neo4jError as error:
-                raise _explained(error, bounded if write else endable, timeout) from error
-            except (driver_errors.SessionExpired, driver_errors.ServiceUnavailable) as error:
-                if too_much_came(error):
-                    raise _too_large() from error
-                raise GraphError(
-                    "the server ended while it was at this question, most likely because it needed too much memory",
-                    hint="Ask for less. foon-kg's own server starts again with the next command.",
-                    code="server-ended",
-                ) from error
-
-    return _within(timeout + GRACE, ask, _late(timeout, stubborn=True))
+    return _Question(text, *without_plan_word(pieces), bounded, endable, parameters, limit, deadline)
 
 
-def _within(seconds: float, ask: Callable[[], Answer], late: GraphError) -> Answer:
-    """Return what ``ask`` returns, or raise what it raises; ``late`` where that takes longer.
-
-    A server can be at an expression that it does not interrupt. Then the thread that waits for it is left behind; it
-    ends with its connection.
-    """
-    found: list[Answer | BaseException] = []
-
-    def work() -> None:
-        try:
-            found.append(ask())
-        except BaseException as error:  # noqa: BLE001 - whatever it is, it is raised where somebody waits
-            found.append(error)
-
-    thread = threading.Thread(target=work, name="free Cypher", daemon=True)
-    thread.start()
-    thread.join(seconds)
-    if not found:
-        raise late
-    if isinstance(found[0], BaseException):
-        raise found[0]
-    return found[0]
-
-
-def _late(timeout: float, *, stubborn: bool = False) -> GraphError:
-    hint = "Ask for less, or allow more with --timeout."
-    if stubborn:
-        hint += (
-            " The server does not let go of this question. foon-kg's own is started again for it within two minutes, "
-            "once nobody else is at work; “foon server stop” ends it at once."
-        )
-    return GraphError(f"no answer within {timeout:g} seconds", hint=hint, code="timeout")
-
-
-@dataclass(frozen=True)
-class _Planned:
-    """How the columns of a question are called, as it is written, and what the server says of its plan.
-
-    ``mode`` is the word before it that asks for the plan, or nothing.
-    """
-
-    columns: tuple[str, ...]
-    summary: neo4j.ResultSummary
-    mode: str
-    warnings: tuple[str, ...]
-
-
-def _planned(
-    session: neo4j.Session, text: str, typed: str, parameters: Mapping[str, Any] | None, timeout: float, *, write: bool
-) -> _Planned | None:
-    """Return how the server goes about a question; ``None`` of one that may write and is to be run.
-
-    Raises :class:`~foon_kg.model.errors.WriteRefused` where one that may not write does more than look, and GraphError
-    in lines and columns of the text as it was ``typed``.
-    """
-    question, mode = unplanned(text)
-    if write and mode != "explain":
-        return None
+@contextmanager
+def _server_ended() -> Iterator[None]:
+    """Raise a GraphError where the server is lost that had let us in; what it lost us for may be the answer itself."""
     try:
-        # The one place where query text is put together: the person's own, behind the word that keeps it from running.
-        result = session.run(_typed(_ASKED_FOR_ITS_PLAN + question, timeout), dict(parameters or {}))
-        columns, summary = tuple(result.keys()), result.consume()
-    except driver_errors.Neo4jError as error:
-        raise _explained(error, typed, timeout, lines_before=1) from error
-    if not write:
-        _refuse_all_but_looking(summary)
+        yield
+    except (driver_errors.SessionExpired, driver_errors.ServiceUnavailable) as error:
+        if too_much_came(error):
+            raise _too_large() from error
+        raise GraphError(
+            "the server ended while it was at this question, most likely because it needed too much memory",
+            hint="Ask for less. foon-kg's own server starts again with the next command.",
+            code="server-ended",
+        ) from error
+
+
+def _ask_to_look(session: neo4j.Session, question: _Question) -> Answer:
+    columns, summary = _planned_as_typed(session, question)
+    _refuse_all_but_looking(summary)
+    warnings = _warnings(session, question, summary)
+    if question.plan_word == "explain":
+        return replace(_answered_plan(summary.plan, question.limit), warnings=warnings)
+    with _faults_in(question, None):
+        answer = _run(session, question.endable, question)
+    return replace(answer, columns=answer.columns if question.plan_word else columns, warnings=warnings)
+
+
+def _ask_to_write(session: neo4j.Session, question: _Question) -> Answer:
+    if question.is_asked_as_typed and question.plan_word != "explain":
+        with _faults_in(question, question.typed):
+            return _run_again(session, question.typed, question)
+    columns, summary = _planned_as_typed(session, question)
+    if question.plan_word == "explain":
+        warnings = _warnings(session, question, summary)
+        return replace(_answered_plan(summary.plan, question.limit), warnings=warnings)
+    with _faults_in(question, None):
+        if question.plan_word:  # the plan that is shown is that of what was typed, as nearly as may be
+            return _run_again(session, question.bounded, question)
+        text = question.endable if _ends_in_the_same_way(session, question, summary) else question.bounded
+        return replace(_run_again(session, text, question), columns=columns)
+
+
+def _planned_as_typed(session: neo4j.Session, question: _Question) -> tuple[tuple[str, ...], neo4j.ResultSummary]:
+    """Return how the columns of a question are called, as it is written, and what the server says of its plan."""
+    with _faults_in(question, question.typed, lines_before=1):
+        return _planned(session, question.unplanned, question)
+
+
+def _planned(session: neo4j.Session, text: str, question: _Question) -> tuple[tuple[str, ...], neo4j.ResultSummary]:
+    # The one place where query text is put together: the person's own, behind the word that keeps it from running.
+    result = session.run(_in_time(_ASKED_FOR_ITS_PLAN + text, question), question.parameters)
+    return tuple(result.keys()), result.consume()
+
+
+def _warnings(session: neo4j.Session, question: _Question, summary: neo4j.ResultSummary) -> tuple[str, ...]:
+    """Return a line about each name in a question that nothing in the graph has, by the ``summary`` of its plan."""
 
     def known(procedure: str) -> list[str]:
-        return [str(record[0]) for record in session.run("CALL " + procedure)]
+        return [str(record[0]) for record in session.run(_in_time("CALL " + procedure, question))]
 
-    warnings = tuple(unknown_names(summary.gql_status_objects, known, lines_before=1))
-    return _Planned(columns, summary, mode, warnings)
+    with _faults_in(question, None):
+        return tuple(unknown_names(summary.gql_status_objects, known, lines_before=1))
 
 
-def _to_write(
-    session: neo4j.Session, typed: str, endable: str, parameters: Mapping[str, Any] | None, timeout: float
-) -> bool:
-    """Whether a server goes about what may write in the words that it can end as it does in those that were typed.
+def _ends_in_the_same_way(session: neo4j.Session, question: _Question, as_typed: neo4j.ResultSummary) -> bool:
+    """Whether a server goes about what writes in the words that it can end as it does in those that were typed.
 
-    What looks at nodes and takes some away may have to be done at once where it was done row by row.
+    What looks at nodes and takes some away may have to be done at once where it was done row by row. And not all that
+    may stand in a question may stand in those words.
     """
-    plans = []
-    try:
-        for text in (typed, endable):
-            question, mode = unplanned(text)
-            plan = session.run(_typed(_ASKED_FOR_ITS_PLAN + question, timeout), dict(parameters or {}))
-            names = [name_and_details(step)[0] for _, step in operators(plan.consume().plan or {})]
-            plans.append((plan.keys(), names.count(_AT_ONCE)))
-    except driver_errors.Neo4jError:  # no Cypher as it is, which running it tells, or none in the other words
+    if question.endable == question.bounded:
         return False
-    return not mode and plans[0] == plans[1]
+    try:
+        endable = _planned(session, question.endable, question)[1]
+    except driver_errors.ClientError as error:
+        if (error.code or "").startswith(_TIMED_OUT):
+            raise
+        return False
+    return _times_at_once(endable) == _times_at_once(as_typed)
 
 
-def _answered_plan(
-    plan: Mapping[str, Any] | None, warnings: tuple[str, ...], limit: int, *, profiled: bool = False
-) -> Answer:
+def _times_at_once(summary: neo4j.ResultSummary) -> int:
+    return [name_and_details(step)[0] for _, step in operators(summary.plan or {})].count(_AT_ONCE)
+
+
+def _answered_plan(plan: Mapping[str, Any] | None, limit: int, *, profiled: bool = False) -> Answer:
     rows = tuple(rows_of(plan or {}, profiled=profiled))
-    return Answer(PROFILED if profiled else COLUMNS, rows[:limit], len(rows) > limit, {}, warnings)
+    return Answer(PROFILED if profiled else COLUMNS, rows[:limit], len(rows) > limit, {})
 
 
-def _run(session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None, limit: int, timeout: float) -> Answer:
-    result = session.run(_typed(text, timeout), dict(parameters or {}))
-    columns, records, size = tuple(result.keys()), [], 0
+def _run(session: neo4j.Session, text: str, question: _Question) -> Answer:
+    """Return what ``text`` answers, which is the ``question`` in these or those words."""
+    result = session.run(_in_time(text, question), question.parameters)
+    columns = tuple(result.keys())
+    records: list[neo4j.Record] = []
+    characters = 0
     with bound(session, MOST_ON_THE_WIRE):
         for record in result:
-            size += sum(map(_size, record.values()))
-            if size > MOST_BYTES:
+            characters += sum(map(_size, record.values()))
+            if characters > LARGEST_ANSWER:
                 raise _too_large()
             records.append(record)
-            if len(records) > limit:
+            if len(records) > question.limit:
                 break
         summary = result.consume()
-    counters = vars(summary.counters)
+    counted = vars(
+        summary.counters
+    )  # the driver lists its counters nowhere; among them stand truths (contains_updates)
+    changes = {name: count for name, count in sorted(counted.items()) if type(count) is int and count}
     if summary.profile:
-        return _answered_plan(summary.profile, (), limit, profiled=True)
-    changes = {name: count for name, count in sorted(counters.items()) if type(count) is int and count}
-    rows = tuple(tuple(record.values()) for record in records[:limit])
-    return Answer(columns, rows, len(records) > limit, changes)
+        return replace(_answered_plan(summary.profile, question.limit, profiled=True), changes=changes)
+    rows = tuple(tuple(record.values()) for record in records[: question.limit])
+    return Answer(columns, rows, len(records) > question.limit, changes)
 
 
-def _run_again(
-    session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None, limit: int, timeout: float
-) -> Answer:
-    """Run what may write; until time is up again, where it and another had to wait for each other: nothing of it stays.
+def _run_again(session: neo4j.Session, text: str, question: _Question) -> Answer:
+    """Run a write, and again where it was ended for another's (nothing of it stays then), until the time is up.
 
-    Where it makes transactions of its own some of them may stay: such a question is not asked again.
+    It is no busy loop: the next time it waits in the server until the other is done. Where it makes transactions of its
+    own some of them may stay: such a question is not asked again.
     """
-    until = time.monotonic() + timeout
     again = not any(token.lower in {"transaction", "transactions"} for token in read_pieces(text))
     while True:
         try:
-            return _run(session, text, parameters, limit, timeout)
+            return _run(session, text, question)
         except driver_errors.TransientError as error:
             if error.code != _WAITED_FOR_EACH_OTHER:
                 raise
-            if not again or time.monotonic() >= until:
+            if not again or question.deadline.is_over:
                 raise _waited(again=again) from error
 
 
@@ -278,25 +290,28 @@ def _waited(*, again: bool) -> GraphError:
 
 def _too_large() -> GraphError:
     return GraphError(
-        f"the answer is larger than {MOST_BYTES // 1_000_000} MB",
+        f"the answer is larger than {LARGEST_ANSWER // 1_000_000} MB",
         hint="Ask for fewer rows or columns, or for counts.",
         code="too-much",
     )
 
 
 def _size(value: object) -> int:
-    """Return about how many bytes a value has."""
+    """Return about how many characters a value has."""
     if isinstance(value, str | bytes):
         return len(value)
-    if isinstance(value, Mapping):
+    if isinstance(value, Mapping):  # nodes and relationships, too
         return sum(_size(key) + _size(item) for key, item in value.items())
+    if isinstance(value, Path):
+        return _size(value.nodes) + _size(value.relationships)
     if isinstance(value, list | tuple | set | frozenset):
         return sum(map(_size, value))
     return 8
 
 
-def _typed(text: str, timeout: float) -> neo4j.Query:
-    return neo4j.Query(text, timeout=timeout)
+def _in_time(text: str, question: _Question) -> neo4j.Query:
+    """Return what the driver is asked, which the server ends when the time of the ``question`` is over."""
+    return neo4j.Query(text, timeout=question.deadline.left())
 
 
 def _refuse_all_but_looking(summary: neo4j.ResultSummary) -> None:
@@ -309,13 +324,25 @@ def _refuse_all_but_looking(summary: neo4j.ResultSummary) -> None:
             raise WriteRefused(f"the procedure {name} does more than look at the graph", hint=HINT)
 
 
-def _explained(error: driver_errors.Neo4jError, text: str, timeout: float, *, lines_before: int = 0) -> GraphError:
+@contextmanager
+def _faults_in(question: _Question, text: str | None, *, lines_before: int = 0) -> Iterator[None]:
+    """Raise what a server says of a question as GraphError, in the lines of ``text``.
+
+    The server got so many ``lines_before`` of ours; ``None`` where it was asked in words that nobody typed.
+    """
+    try:
+        yield
+    except driver_errors.Neo4jError as error:
+        raise _explained(error, question.deadline, text, lines_before) from error
+
+
+def _explained(error: driver_errors.Neo4jError, deadline: Deadline, text: str | None, lines_before: int) -> GraphError:
     code = error.code or ""
     if code == _ACCESS_MODE:
         return WriteRefused("this would change the graph", hint=HINT)
     if code.startswith(_TIMED_OUT):
-        return _late(timeout)
-    if TOO_LONG in (error.message or ""):
+        return deadline.late()
+    if text is None and TOO_LONG in (error.message or ""):
         return too_long()
     if code in _NO_MEMORY:
         return GraphError(

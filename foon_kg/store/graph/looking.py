@@ -16,7 +16,7 @@ from typing import Any
 from foon_kg.model.errors import WriteRefused
 from foon_kg.store.graph.joins import refuse_dense_patterns
 from foon_kg.store.graph.patterns import refuse_hard_patterns
-from foon_kg.store.graph.preface import begin, shows_schema
+from foon_kg.store.graph.preface import first_of_question, shows_schema
 from foon_kg.store.graph.question_words import CLOSED, Token, asked, read_pieces, too_much
 
 LONGEST_RANGE = 1_000_000
@@ -65,7 +65,7 @@ def only_looking(text: str, parameters: Mapping[str, Any] | None = None) -> tupl
     pieces = read_pieces(text)
     tokens = asked(pieces)
     refuse_the_endless(tokens, parameters)
-    schema = begin(tokens) if shows_schema(tokens) else None
+    schema = first_of_question(tokens) if shows_schema(tokens) else None
     for number, token in enumerate(tokens):
         rest = tokens[number + 1 :]
         if _is_of_what_is_before(tokens, number) or number == schema:
