@@ -1,10 +1,11 @@
-// What of the vocabulary matters to who asks for some foods: the foods that are called like one of them, that are named
-// after one of them with more words, or that are nearest to one of them in the vector index, each state with its foods
-// and their counts side by side; of the nearest how many they are, and the cosine of the furthest; all states, all verbs
-// that make them, how many units each verb has and how many of them take several foods, and the dish types. Where not all foods are placed, there are some of which nothing is known. Among the
-// names are also those of mere ingredients of a dish. No row where the points were made of other word lists.
+// What of the vocabulary matters to who asks for some foods: the foods that have one of the names, those that are named
+// after an asked one with more words, or that are nearest to one in the vector index, each state with its foods and
+// their counts side by side; of the nearest how many they are, and the cosine of the furthest; all states, all verbs
+// that make them, how many units each verb has and how many of them take several foods, and the dish types. Where not
+// all foods are placed, there are some of which nothing is known. Among the names are also those of mere ingredients of
+// a dish. No row where the points were made of other word lists.
 // param: words STRING
-// param: called LIST<STRING>
+// param: names LIST<STRING>
 // param: asked LIST<MAP>
 // param: count INTEGER
 // column: nearest
@@ -30,7 +31,7 @@ CALL (near) {
     UNWIND row.foods AS i
     RETURN i
     UNION
-    UNWIND $called AS name
+    UNWIND $names AS name
     MATCH (i:Ingredient {canonical: name})
     USING INDEX SEEK i:Ingredient(canonical)
     RETURN i

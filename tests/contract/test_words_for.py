@@ -22,7 +22,7 @@ from foon_kg.planning.recipes import IngredientWords, names_in, recipe_of
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.result import PlanFailure
 from foon_kg.similarity import food_similarity
-from foon_kg.store.graph import Connection, Neo4jGraph, load, remove, words
+from foon_kg.store.graph import Connection, Neo4jGraph, load, remove, words_for
 from foon_kg.store.graph.free_cypher import ask_freely
 from foon_kg.store.snapshot import Snapshot
 
@@ -52,9 +52,9 @@ def keep(empty_graph):
 @pytest.fixture
 def few_at_a_time(monkeypatch):
     """Ask for so few points that most of a small FOON is left out at first."""
-    monkeypatch.setattr(words, "FIRST", 2)
-    monkeypatch.setattr(words, "MORE", 2)
-    monkeypatch.setattr(words, "MOST", 64)
+    monkeypatch.setattr(words_for, "FIRST", 2)
+    monkeypatch.setattr(words_for, "MORE", 2)
+    monkeypatch.setattr(words_for, "MOST", 64)
 
 
 def answer(planner, recipe):

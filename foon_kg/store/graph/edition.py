@@ -10,7 +10,7 @@ from foon_kg.model.knowledge import LikelyGoals, SeenAs, Vocabulary
 from foon_kg.model.recent import Recent
 from foon_kg.store.graph.methods import CommonMethods, LearntDishes
 from foon_kg.store.graph.near_matters import KnownMatters
-from foon_kg.store.graph.words import WordsFound
+from foon_kg.store.graph.words_for import WordsFound
 
 MOST_UNITS = 20_000
 """Bounds the memory that units read before may take: some 60 MB."""

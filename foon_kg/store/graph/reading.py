@@ -55,7 +55,7 @@ from foon_kg.store.graph.statements import (
     ask,
 )
 from foon_kg.store.graph.values import goal_of, node_of, subgraph_of
-from foon_kg.store.graph.words import WordsFound, find_words, seen_as
+from foon_kg.store.graph.words_for import WordsFound, find_words, seen_as
 
 if TYPE_CHECKING:
     from foon_kg.integration.methods import Methods
