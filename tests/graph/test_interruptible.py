@@ -70,6 +70,10 @@ TOO_MUCH = {
     "one that hides it by two flags": "RETURN $text =~ '(?Ux)((.*a) *a) *b'",
     "one that hides it within": "RETURN $text =~ 'a(?i-sx:((.*a)#\n*a) *b)'",
     "a pattern that may lack eleven parts": "RETURN $text =~ '" + "a?" * 11 + "'",
+    "a pattern of many alternatives": "RETURN $text =~ '" + "(a|a)" * 40 + "b'",
+    "alternatives within alternatives": "RETURN $text =~ '" + "(b|(?:a|a)" * 40 + ")" * 40 + "'",
+    "alternatives beside what could hide their groups": "RETURN $text =~ '" + "(a[]b)]|a)" * 40 + "b'",
+    "alternatives beside a set in a set": "RETURN $text =~ '" + "(a[a[b])]|a)" * 40 + "b'",
 }
 MOST_SECONDS = 60
 """In which a server that others keep busy, too, ends what it was told to end."""
@@ -221,7 +225,9 @@ def test_a_text_is_no_longer_than_its_pattern_bears(served, pattern, most, write
         ("'(a|aa)*b'", "repeats a group"),
         ("'(?x)(a|aa) *b'", "flag x"),
         ("'.*.*.*.*b'", "has 4 of *, + and {…}, and 3 are the most"),
-        ("'" + "a?" * 11 + "'", "has 11 of ?, and 10 are the most"),
+        ("'" + "a?" * 11 + "'", "more than 1,024 ways by its | and ?"),
+        ("'" + "a?" * 20_000 + "'", "more than 1,024 ways by its | and ?"),
+        ("'" + "(a|b|c)" * 8 + "'", "more than 1,024 ways by its | and ?"),
         ("'a.*' = true", "joined by +: ="),
         ("n.pattern", "neither a string nor a parameter"),
     ],
@@ -230,6 +236,19 @@ def test_it_is_told_why_a_pattern_is_refused(pattern, why):
     with pytest.raises(GraphError) as refused:
         only_looking(f"MATCH (n) RETURN n.name =~ {pattern}")
     assert why in refused.value.message
+
+
+@pytest.mark.parametrize(
+    "pattern",
+    [
+        "(?i).*(" + "|".join(f"name{n}" for n in range(2_000)) + ").*(raw|chopped)",  # a list may be long
+        "(a|b)(?:c|d)(?=e|f)[^()|]{2,3}[(\\)|]",
+        "[()][a[b]]",  # without alternatives nothing can hide there
+        "a?" * 10,
+    ],
+)
+def test_alternatives_that_people_ask_for_are_asked(pattern):
+    assert only_looking("RETURN $text =~ $pattern", {"pattern": pattern})
 
 
 def test_the_longest_texts_go_as_far_as_patterns_do():

@@ -26,7 +26,7 @@ from foon_kg.store.graph.cypher_faults import told_error, unknown_names
 from foon_kg.store.graph.deadline import Deadline
 from foon_kg.store.graph.incoming import bound, too_much_came
 from foon_kg.store.graph.interruptible import interruptible
-from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking, refuse_the_endless
+from foon_kg.store.graph.looking import ADD_WRITE, PROCEDURES, only_looking, refuse_the_endless
 from foon_kg.store.graph.patterns import TOO_LONG, bounded_texts, too_long
 from foon_kg.store.graph.preface import without_plan_word
 from foon_kg.store.graph.question_words import asked, put_around, read_pieces
@@ -316,12 +316,12 @@ def _in_time(text: str, question: _Question) -> neo4j.Query:
 
 def _refuse_all_but_looking(summary: neo4j.ResultSummary) -> None:
     if summary.query_type != "r":
-        raise WriteRefused("this would change the graph, its schema, its users or the server", hint=HINT)
+        raise WriteRefused("this would change the graph, its schema, its users or the server", hint=ADD_WRITE)
     for operator, details in map(name_and_details, (step for _, step in operators(summary.plan or {}))):
         if operator.startswith(_REFUSED_OPERATORS) and operator not in _SHOWN:
-            raise WriteRefused(f"this does more than look at the graph ({operator})", hint=HINT)
+            raise WriteRefused(f"this does more than look at the graph ({operator})", hint=ADD_WRITE)
         if operator.startswith("ProcedureCall") and (name := details.partition("(")[0]) not in PROCEDURES:
-            raise WriteRefused(f"the procedure {name} does more than look at the graph", hint=HINT)
+            raise WriteRefused(f"the procedure {name} does more than look at the graph", hint=ADD_WRITE)
 
 
 @contextmanager
@@ -339,7 +339,7 @@ def _faults_in(question: _Question, text: str | None, *, lines_before: int = 0) 
 def _explained(error: driver_errors.Neo4jError, deadline: Deadline, text: str | None, lines_before: int) -> GraphError:
     code = error.code or ""
     if code == _ACCESS_MODE:
-        return WriteRefused("this would change the graph", hint=HINT)
+        return WriteRefused("this would change the graph", hint=ADD_WRITE)
     if code.startswith(_TIMED_OUT):
         return deadline.late()
     if text is None and TOO_LONG in (error.message or ""):

@@ -18,7 +18,7 @@ MOST_RELATIONSHIPS = 40
 MOST_RINGS = 20
 """How many of them may join nodes that are joined already, by whatever way."""
 
-HINT = "Ask for a part of it, and join the rest by WITH in a question of its own."
+IN_PARTS = "Ask for a part of it, and join the rest by WITH in a question of its own."
 
 Join = tuple[str, str]
 
@@ -33,12 +33,12 @@ def refuse_dense_patterns(tokens: Sequence[Token]) -> None:
     joins = list(_joins(tokens))
     if len(joins) > MOST_RELATIONSHIPS:
         raise too_much(
-            f"its patterns have {len(joins)} relationships, and {MOST_RELATIONSHIPS} are the most", hint=HINT
+            f"its patterns have {len(joins)} relationships, and {MOST_RELATIONSHIPS} are the most", hint=IN_PARTS
         )
     if (rings := _rings(joins)) > MOST_RINGS:
         raise too_much(
             f"{rings} relationships of its patterns join what is joined already, and {MOST_RINGS} are the most",
-            hint=HINT,
+            hint=IN_PARTS,
         )
 
 

@@ -43,7 +43,7 @@ SPACES = frozenset({"date", "datetime", "duration", "localdatetime", "localtime"
 
 FUNCTIONS = frozenset({"db.namefromelementid", "vector.similarity.cosine", "vector.similarity.euclidean"})
 
-HINT = "A question only looks at the graph. If you mean to change it, add --write."
+ADD_WRITE = "A question only looks at the graph. If you mean to change it, add --write."
 
 _AFTER_A_NAME = {
     "", "and", "as", "asc", "ascending", "contains", "desc", "descending", "else", "end", "ends", "in", "is", "limit",
@@ -171,4 +171,4 @@ def _parts(tokens: Sequence[Token]) -> list[str]:
 
 
 def _refused(why: str) -> WriteRefused:
-    return WriteRefused(f"this does more than look at the graph: {why}", hint=HINT)
+    return WriteRefused(f"this does more than look at the graph: {why}", hint=ADD_WRITE)

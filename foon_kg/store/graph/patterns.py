@@ -10,6 +10,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import prod
 from typing import Any
 
 from foon_kg.model.errors import GraphError
@@ -17,13 +19,18 @@ from foon_kg.store.graph.question_words import CLOSED, Around, Token, partners, 
 
 LONGEST_TEXT = {2: 10_000, 3: 500, 4: 100}
 """How many characters may be held against a pattern that says “as many as there are” (``*``, ``+``, ``{…}``) twice, and
-so on; ``?`` counts as one more. Each is a factor of a text's length: some 10⁸ steps at most, a second or so."""
+so on; ``?``, or more than ``MANY_WAYS`` ways, counts as one more. Each is a factor of a text's length: some 10⁸ steps
+at most in each way, a second or so."""
 
 MOST_UNBOUNDED = max(LONGEST_TEXT) - 1
 """How often a pattern may say “as many as there are”, so that with a ``?`` beside there is a bound to its texts."""
 
-MOST_OPTIONAL = 10
-"""How often it may say “or nothing” (``?``): each doubles what is tried, together 2¹⁰ times."""
+MANY_WAYS = 16
+"""The ways to match a pattern are its alternatives (``|``), multiplied by those of other groups, and twice as many for
+each “or nothing” (``?``): Java tries them all where a text does not match."""
+
+MOST_WAYS = 1_024
+"""So many ways are the most, one group apart: a list of names may be long."""
 
 TOO_LONG = "a text is too long for its pattern"
 """What the server says of one, in the words of a date that is none."""
@@ -35,11 +42,16 @@ _PIECE = re.compile(
       (?P<flag_x>\(\?[A-Za-z-]*x)            # behind it, spaces and remarks may part a group from its “*”
     | (?P<harmless>
           \\[dDwWsSbBnrt] | \\[^0-9A-Za-z]   # a kind of sign, or a sign itself
-        | \(\?[A-Za-z-]*[:)]? )              # what begins a group, and flags: no “or nothing”
+        | \(\?[A-Za-z-]*\)                   # flags
+        | \[\^?+ (?: \\[dDwWsSbBnrt] | \\[^0-9A-Za-z] | (?!&&)[^][\\] )+ \] )
     | (?P<unknown_escape>\\)                 # \1 repeats a text, \Q hides signs
+    | (?P<unclear_set>\[)                    # a set in a set: where it ends, Java may see otherwise
+    | (?P<opens>\((?:\?[A-Za-z-]*:?)?)       # its “?” is no “or nothing”
     | (?P<repeated_group>\)[*+{])
+    | (?P<closes>\))
     | (?P<unbounded>[*+{][?+]?)
     | (?P<optional>\?)
+    | (?P<bar>\|)
     | .
     """,
     re.VERBOSE | re.DOTALL,
@@ -131,30 +143,70 @@ def bounded_texts(pieces: Sequence[Token], parameters: Mapping[str, Any]) -> Ite
     places = [place for place, piece in enumerate(pieces) if piece.kind != "space"]
     tokens = [pieces[place] for place in places]
     for at in _places(tokens):
-        most = LONGEST_TEXT.get(_degree(_pattern(tokens[at + 2 :], parameters)))
+        most = LONGEST_TEXT.get(_Pattern.read(_pattern(tokens[at + 2 :], parameters)).degree)
         if most is not None:
             first = places[_begin_of_operand(tokens, at - 1)]
             yield Around(first, "[text IN [", places[at - 1], f"] | {_BOUNDED.format(most=most)}][0]")
 
 
 def too_long() -> GraphError:
-    """Return the error for a text that is longer than what may be held against its pattern."""
-    most = ", ".join(f"{most:,} where they are {degree}" for degree, most in LONGEST_TEXT.items())
+    """Return the error for a text that is longer than what may be held against its pattern (:data:`LONGEST_TEXT`)."""
+    most = ", ".join(f"{most:,} characters with {degree}" for degree, most in LONGEST_TEXT.items())
     return too_much(
-        f"{TOO_LONG}: by how many *, + and {{…}} there are in it, ? being one more, it may have {most}",
+        f"{TOO_LONG}, which bounds it by how many *, + and {{…}} it has, and one more for ? or many |: {most}",
         hint=PLAINER_PATTERN,
     )
 
 
-def _kinds(pattern: str) -> list[str | None]:
-    """Return what each piece of a pattern is, by the names in ``_PIECE``; ``None`` of a plain sign."""
-    return [found.lastgroup for found in _PIECE.finditer(pattern)]
+@dataclass(frozen=True)
+class _Pattern:
+    """What a regular expression says: of what ``kinds`` its pieces are (names in ``_PIECE``; None for a plain sign)."""
+
+    kinds: tuple[str | None, ...]
+
+    @classmethod
+    def read(cls, text: str) -> _Pattern:
+        return cls(tuple(found.lastgroup for found in _PIECE.finditer(text)))
+
+    @property
+    def alternatives(self) -> list[int]:
+        """How many alternatives the pattern has, and each group in it."""
+        found, within = [1], [0]
+        for kind in self.kinds:
+            if kind == "opens":
+                within.append(len(found))
+                found.append(1)
+            elif kind == "closes" and len(within) > 1:
+                within.pop()
+            elif kind == "bar":
+                found[within[-1]] += 1
+        return found
+
+    @property
+    def ways(self) -> int:
+        """In how many ways it may be matched, repetitions apart (``MANY_WAYS``)."""
+        return int(prod(self.alternatives) * 2 ** self.kinds.count("optional"))
+
+    @property
+    def degree(self) -> int:
+        """The power of a text's length that is how many steps matching it may take."""
+        return self.kinds.count("unbounded") + ("optional" in self.kinds or self.ways > MANY_WAYS)
 
 
-def _degree(pattern: str) -> int:
-    """Return the power of a text's length that is how many steps matching it may take."""
-    kinds = _kinds(pattern)
-    return kinds.count("unbounded") + ("optional" in kinds)
+def _refuse_if_hard(text: str) -> None:
+    pattern = _Pattern.read(text)
+    kinds = pattern.kinds
+    for kind, why in _REFUSED.items():
+        if kind in kinds:
+            raise too_much(f"a pattern {why}", hint=PLAINER_PATTERN)
+    if (count := kinds.count("unbounded")) > MOST_UNBOUNDED:
+        raise too_much(
+            f"a pattern has {count} of *, + and {{…}}, and {MOST_UNBOUNDED} are the most", hint=PLAINER_PATTERN
+        )
+    if "bar" in kinds and "unclear_set" in kinds:
+        raise too_much("a pattern has | beside brackets in brackets", hint="Put \\ before a bracket that is a sign.")
+    if pattern.ways // max(pattern.alternatives) > MOST_WAYS:
+        raise too_much(f"a pattern has more than {MOST_WAYS:,} ways by its | and ?", hint=PLAINER_PATTERN)
 
 
 def _begin_of_operand(tokens: Sequence[Token], last: int) -> int:
@@ -199,13 +251,3 @@ def _is_called_or_indexed(before: Token, bracket: Token) -> bool:
 def _stands_before(token: Token) -> bool:
     """Whether an expression can begin after this word or sign, and nothing binds it to what is before."""
     return token.lower in _WORDS_BEFORE or token.text in _SIGNS_BEFORE
-
-
-def _refuse_if_hard(pattern: str) -> None:
-    kinds = _kinds(pattern)
-    for kind, why in _REFUSED.items():
-        if kind in kinds:
-            raise too_much(f"a pattern {why}", hint=PLAINER_PATTERN)
-    for kind, sign, most in (("unbounded", "*, + and {…}", MOST_UNBOUNDED), ("optional", "?", MOST_OPTIONAL)):
-        if (count := kinds.count(kind)) > most:
-            raise too_much(f"a pattern has {count} of {sign}, and {most} are the most", hint=PLAINER_PATTERN)
