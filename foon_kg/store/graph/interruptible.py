@@ -39,6 +39,10 @@ def interruptible(
     A text that is held against a pattern may not be longer than that pattern bears (:mod:`patterns`). ``pieces`` are
     all its pieces, spaces too, asked with ``parameters``; ``writing`` says that it may make nodes. Raises GraphError
     where a label could be read as what is done in a turn.
+
+    >>> from foon_kg.store.graph.question_words import read_pieces
+    >>> interruptible(read_pieces("RETURN [x IN [1, 2] | x + 1]"))
+    'RETURN [x IN [1, 2] | CASE WHEN COUNT { MATCH () } >= 0 THEN  x + 1 END]'
     """
     turns = [one for it in _brackets(pieces) for one in (*_turns(pieces, it), *_long_range(pieces, it))]
     if writing:

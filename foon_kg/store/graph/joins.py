@@ -29,7 +29,15 @@ LONGEST_ARROW = 6
 
 
 def refuse_dense_patterns(tokens: Sequence[Token]) -> None:
-    """Raise GraphError where patterns in the ``tokens`` of a question have too many relationships, or rings of them."""
+    """Raise GraphError where patterns in the ``tokens`` of a question have too many relationships, or rings of them.
+
+    >>> from foon_kg.store.graph.question_words import read
+    >>> refuse_dense_patterns(read("MATCH (a)-[:X]->(b)<--(a) RETURN b"))
+    >>> refuse_dense_patterns(read("MATCH (a)" + "-->()" * 50 + " RETURN a"))
+    Traceback (most recent call last):
+    foon_kg.model.errors.GraphError: this question is too much to ask: its patterns have 50 relationships, and 40 are
+    the most
+    """
     joins = list(_joins(tokens))
     if len(joins) > MOST_RELATIONSHIPS:
         raise too_much(

@@ -61,6 +61,12 @@ def only_looking(text: str, parameters: Mapping[str, Any] | None = None) -> tupl
     ``text`` is asked with ``parameters``. Raises :class:`~foon_kg.model.errors.WriteRefused` where a question does more
     than look at the graph, or may do so, and :class:`~foon_kg.model.errors.GraphError` for a text that is too long or
     nested too deep to be asked.
+
+    >>> "".join(piece.text for piece in only_looking("MATCH (n) /* all */ RETURN n"))
+    'MATCH (n)           RETURN n'
+    >>> only_looking("LOAD CSV FROM $address AS line RETURN line")
+    Traceback (most recent call last):
+    foon_kg.model.errors.WriteRefused: this does more than look at the graph: LOAD CSV reads files and addresses
     """
     pieces = read_pieces(text)
     tokens = asked(pieces)

@@ -77,7 +77,11 @@ class Around:
 
 
 def put_around(pieces: Sequence[Token], arounds: Iterable[Around]) -> str:
-    """Return the text of a question with what is put around its pieces; none begins in another and ends outside it."""
+    """Return the text of a question with what is put around its pieces; none begins in another and ends outside it.
+
+    >>> put_around(read_pieces("RETURN n.x"), [Around(2, "[", 4, "][0]")])
+    'RETURN [n.x][0]'
+    """
     before: dict[int, str] = {}
     after: dict[int, str] = {}
     for one in sorted(arounds, key=lambda one: one.last - one.first):  # inner ones first: the others stand outside
@@ -90,12 +94,19 @@ def read(text: str) -> tuple[Token, ...]:
     """Return the pieces of ``text`` without its spaces and comments.
 
     Raises :class:`~foon_kg.model.errors.WriteRefused` where something hides in it, GraphError where it is too much.
+
+    >>> [piece.text for piece in read("RETURN n.x // all of them")]
+    ['RETURN', 'n', '.', 'x']
     """
     return asked(read_pieces(text))
 
 
 def read_pieces(text: str) -> tuple[Token, ...]:
-    """Return all pieces of a question in their order, so that together they are its text; raises as :func:`read`."""
+    """Return all pieces of a question in their order, so that together they are its text; raises as :func:`read`.
+
+    >>> [(piece.kind, piece.text) for piece in read_pieces("RETURN 'a'")]
+    [('word', 'RETURN'), ('space', ' '), ('string', "'a'")]
+    """
     if len(text) > MOST_CHARACTERS:
         raise too_much(f"it has {len(text)} characters, and {MOST_CHARACTERS} are the most")
     if re.search(r"\\u", text, re.IGNORECASE):
@@ -129,7 +140,11 @@ def _depth(tokens: Sequence[Token], signs: str) -> int:
 
 
 def partners(tokens: Sequence[Token]) -> dict[int, int]:
-    """Return where each bracket that opens in ``tokens`` is closed."""
+    """Return where each bracket that opens in ``tokens`` is closed.
+
+    >>> partners(read("f([x])"))
+    {2: 4, 1: 5}
+    """
     found: dict[int, int] = {}
     open_ones: list[int] = []
     for place, token in enumerate(tokens):

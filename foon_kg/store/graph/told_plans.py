@@ -10,7 +10,12 @@ PROFILED = (*COLUMNS, "rows", "db_hits")
 
 
 def operators(plan: Mapping[str, Any]) -> Iterator[tuple[int, Mapping[str, Any]]]:
-    """Yield every operator of a plan with its depth, each before what it takes its rows from."""
+    """Yield every operator of a plan with its depth, each before what it takes its rows from.
+
+    >>> plan = {"operatorType": "ProduceResults@neo4j", "children": [{"operatorType": "AllNodesScan@neo4j"}]}
+    >>> [(depth, name_and_details(step)[0]) for depth, step in operators(plan)]
+    [(0, 'ProduceResults'), (1, 'AllNodesScan')]
+    """
     waiting = [(0, plan)]
     while waiting:
         depth, step = waiting.pop()
@@ -27,6 +32,10 @@ def rows_of(plan: Mapping[str, Any], *, profiled: bool) -> Iterator[tuple[Any, .
     """Yield the row of each operator of a ``plan``, with what it took where ``profiled``.
 
     One below another is indented.
+
+    >>> plan = {"operatorType": "Filter@neo4j", "args": {"Details": "n.x > 1", "EstimatedRows": 2.04}}
+    >>> list(rows_of(plan, profiled=False))
+    [('Filter', 'n.x > 1', 2.0)]
     """
     for depth, step in operators(plan):
         name, details = name_and_details(step)
