@@ -106,7 +106,7 @@ def assigned(technique: Technique, joins: Sequence[Join], around: Around) -> lis
     assigner = _Assigner(technique, joins, around)
     apart = assigner.named_lines if any(request.foods.is_rest for request in requests) else set()
     for line in sorted(assigner.named_lines):
-        assigner.assign_as_told(line, [request for request in requests if request.line == line])
+        assigner.assign_as_told(line, requests)
     for request in requests:
         if request.foods.again:
             if not assigner.has_as_told(request):
@@ -147,17 +147,28 @@ class _Assigner:
         self.late = {id(part) for part in _after_heat(technique.lines[MAIN])}
 
     def assign_as_told(self, line: str, requests: Sequence[_Request]) -> None:
-        """Put what the recipe says is for a ``line`` where one of its ``requests`` means it, else at the first one."""
+        """Put what the recipe says is for a ``line`` where one of its ``requests`` means it, else at the first one.
+
+        What the lines that join it mean, as onions that are fried for a filling, joins there.
+        """
+        first = next(request for request in requests if request.line == line)
+        unnamed = first._replace(foods=Foods(("*",)))  # it is there, and prepared as no other food
         poured = line in word_list("is poured over what lies below")
+        asked = self._asked_for(line, requests)
         for join in self.joins:
             below = poured and _lies_below(join.want)
             if self._line(join) == line and not below:
-                unnamed = requests[0]._replace(foods=Foods(("*",)))  # it is there, and prepared as no other food
-                request = next(
-                    (request for request in requests if means(request.foods, join.want, self.around)), unnamed
-                )
-                self._put(join, request)
+                self._put(join, next((one for one in asked if means(one.foods, join.want, self.around)), unnamed))
                 self.taken[join.want.number] = line
+
+    def _asked_for(self, line: str, requests: Sequence[_Request]) -> list[_Request]:
+        """Return those of ``requests`` that are for a line, after those for lines that join it, and the rest last.
+
+        Lines of which the recipe says itself what is for them are no parts of another one.
+        """
+        fed = {name for part in self.lines[line] for name in part.lines} - self.named_lines
+        found = [request for request in requests if request.line == line or request.line in fed]
+        return sorted(found, key=lambda one: (one.foods.is_rest, one.line == line))
 
     def has_as_told(self, request: _Request) -> bool:
         """Return whether the recipe says itself that a food that is requested is for its line."""

@@ -265,7 +265,7 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
     shaped = _is_shaped(want, row, asked)
     made = shaped and "make" in row
     facts = _still_owing(want.facts, asked if made else State(""), row.get("waives", ()))
-    want = replace(want, cooked=row.get("said", want.cooked))
+    want = replace(want, cooked=row.get("said", want.cooked), then=row.get("later", want.then))
     if made:
         squeezed = _is_squeezed(want, row["make"], known)
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")), squeezed=squeezed)

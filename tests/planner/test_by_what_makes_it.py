@@ -1,0 +1,89 @@
+"""The step that makes a dish what it is called is in it: it is potted, marinated, under a lid, off its bones."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, motions, states_of, taking
+
+pytestmark = pytest.mark.shared_data
+
+COBBLER = ("onion:chopped", "carrot:diced", "beef stock:liquid", "self-raising flour:powder", "butter:cubed",
+           "milk:liquid", "cheddar:grated")  # fmt: skip
+
+
+@pytest.mark.parametrize("dish_type", ["beef", "casserole"])
+def test_the_dough_of_a_savoury_cobbler_is_baked_on_what_was_stewed(steps, dish_type):
+    told = steps(dish_type, "Beef Cobbler", "minced beef:raw", *COBBLER)
+    assert first(told, "minced beef", "cook and stir") < first(told, "dough", "shape") < motions(told).index("bake")
+    stewed = {one for inputs, motion, _ in told if motion == "simmer" for one in inputs}
+    assert stewed.isdisjoint({"self-raising flour", "milk"})
+
+
+def test_potatoes_lie_on_a_hotpot_and_are_baked_there(steps):
+    told = steps("chicken", "Chicken and Leek Hotpot", "chicken thighs:boned", "leeks:sliced", "flour:powder",
+                 "chicken stock:liquid", "potatoes:sliced", "butter:melted")  # fmt: skip
+    assert "potatoes" not in taking(told, "simmer")
+    assert {"potatoes", "oven"} <= taking(told, "bake")
+
+
+@pytest.mark.parametrize(
+    ("title", "fish"), [("Potted Shrimp", "brown shrimp:cooked"), ("Potted Kippers", "kippers:cooked")]
+)
+def test_what_is_potted_sets_in_butter(steps, title, fish):
+    told = steps("seafood", title, fish, "butter:softened", "mace:ground", "cayenne pepper:ground", "toast:whole")
+    together = next(place for place, (inputs, motion, _) in enumerate(told) if motion in {"mash", "cook and stir"})
+    assert {"butter", "mace", fish.split(":")[0]} <= told[together][0]
+    assert together < motions(told).index("chill")
+
+
+def test_a_whole_bird_leaves_its_broth_in_the_soup(steps):
+    told = steps("soup", "Chicken Noodle Soup", "chicken:whole", "carrot:sliced", "celery:sliced", "onion:chopped",
+                 "egg noodles:uncooked", "water:liquid")  # fmt: skip
+    assert first(told, "chicken", "simmer") < first(told, "chicken", "pull apart")
+    assert "strainer" not in set().union(*(inputs for inputs, _, _ in told))
+    assert "shredded" in states_of(told, "chicken")
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "meat", "cooked"),
+    [
+        ("roast", "Pernil", "bone-in pork shoulder:raw", "bake"),
+        ("chicken", "Poulet Yassa", "chicken:cut", "cook and stir"),
+    ],
+)
+def test_it_lies_in_its_marinade_before_it_is_cooked(steps, dish_type, title, meat, cooked):
+    told = steps(dish_type, title, meat, "garlic:minced", "onions:sliced", "limes:juice", "black pepper:ground",
+                 "olive oil:liquid")  # fmt: skip
+    assert {"limes", "garlic"} <= taking(told, "stir")
+    assert motions(told).index("stir") < motions(told).index("chill") < motions(told).index(cooked)
+
+
+def test_a_joint_of_ham_is_glazed_when_it_was_roasted_and_is_carved(steps):
+    told = steps("roast", "Cider-Roast Gammon", "gammon joint:smoked", "cider:dry", "onion:halved",
+                 "demerara sugar:granulated", "mustard:creamy")  # fmt: skip
+    bakes = [inputs for inputs, motion, _ in told if motion == "bake"]
+    assert ["mixture" in inputs or "glaze" in inputs for inputs in bakes] == [False, True]
+    assert first(told, "gammon joint", "slice") > motions(told).index("bake")
+
+
+def test_onions_are_fried_and_roots_boiled_before_a_pie_is_baked(steps):
+    told = steps("pie", "Homity Pie", "plain flour:powder:pastry", "butter:diced:pastry", "water:cold:pastry",
+                 "potatoes:cubed:filling", "onions:chopped:filling", "oil:liquid:filling",
+                 "cheddar:grated:filling")  # fmt: skip
+    assert first(told, "onions", "cook and stir") < motions(told).index("bake")
+    assert first(told, "potatoes", "boil") < motions(told).index("bake")
+
+
+def test_tapioca_in_grains_thickens_fruit_and_is_not_boiled_and_drained(steps):
+    told = steps("pie", "", "rhubarb:sliced", "strawberry:berries", "sugar:ground", "tapioca:grain", "butter:pieces",
+                 "crust:dough")  # fmt: skip
+    assert {"rhubarb", "tapioca", "sugar"} <= taking(told, "mix")
+    assert motions(told)[-2:] == ["turn off", "remove"]
+    assert not taking(told, "cook")
+
+
+def test_a_joint_is_browned_and_braised_in_milk_and_carved(steps):
+    told = steps("pork", "", "pork:shoulder", "milk:juice", "sage:leaves", "lemon:peeled", "garlic:whole",
+                 "butter:creamy", "salt:ground")  # fmt: skip
+    assert "milk" not in taking(told, "cook and stir")
+    assert first(told, "milk", "simmer") < first(told, "pork", "slice")
