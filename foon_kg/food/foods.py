@@ -120,6 +120,7 @@ class FoodTable:
             str(special.get("sold_as", row.sold_as)),
             match,
             taken_for,
+            "" if moved is None else _no_more(kind, row),
         )
 
     def _meant(self, name: str, states: Sequence[str]) -> str:
@@ -191,6 +192,11 @@ def _phrases(own: Sequence[str]) -> Iterator[Sequence[str]]:
     for length in range(len(own) - 1, 0, -1):
         for start in range(len(own) - length):
             yield own[start : start + length]
+
+
+def _no_more(kind: str, now: Kind) -> str:
+    """Return the ``kind`` of a name that a food is no more, in a state in which it is of the kind ``now``."""
+    return "" if now.traits.isdisjoint(word_list("is what it was no more")) else kind
 
 
 def make_room(kept: dict[Any, Any]) -> None:

@@ -47,7 +47,8 @@ class Food:
     """What is known of a food in its states.
 
     ``kinds`` are its kind and all broader ones. ``owes`` says what a cook does to it before it is served. ``match``
-    says how its name was found, ``taken_for`` as which name of the table.
+    says how its name was found, ``taken_for`` as which name of the table. ``no_more`` is the kind of that name that it
+    is no more, ground to a spice: onion powder is no onion.
     """
 
     name: str
@@ -59,6 +60,7 @@ class Food:
     sold_as: str
     match: Match
     taken_for: str
+    no_more: str = ""
 
     @property
     def known(self) -> bool:
@@ -67,7 +69,7 @@ class Food:
 
     @cached_property
     def _tags(self) -> frozenset[str]:
-        return self.kinds | self.traits | {self.name, self.taken_for}
+        return self.kinds | self.traits | ({self.name, self.taken_for} - {self.no_more})
 
     def is_a(self, *names: str) -> bool:
         """Whether the food is of one of these kinds, has one of these traits, or is called so."""

@@ -57,6 +57,7 @@ ASKED: dict[str, Callable[[Case], Iterator[Finding]]] = {
     "W4": _all(
         robot.idle,
         handling.picked_up,
+        handling.by_no_tool,
         handling.too_hard,
         handling.coarser,
         handling.broken_raw,

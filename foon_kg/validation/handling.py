@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
-from foon_kg.food.lists import word_list
+from foon_kg.food import Food
+from foon_kg.food.lists import says, word_list
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import Step
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
-from foon_kg.world import Part, PlayedStep
+from foon_kg.world import Lump, Part, PlayedStep
 from foon_kg.world.running import is_runny
 
 _AS_POWDER = 5
@@ -27,6 +28,63 @@ def picked_up(case: Case) -> Iterator[Finding]:
         for node, lump in played_step.outputs.items():
             if id(lump) in moved and is_runny(node.label, node.states, sorted(node.ingredients), case.tables):
                 yield Finding("W4", f"{node.label} runs, and is picked up", played_step.number, (node,))
+
+
+def by_no_tool(case: Case) -> Iterator[Finding]:
+    """Yield a finding for what no hand and no tool does in ``case``.
+
+    That is to pick up powder, to brush what is dry, to open what has no shell.
+    """
+    for played_step in case.played_steps:
+        moved = [lump for lump, before, now in played_step.moved if now is not None and before is not now]
+        why = _why_by_none(played_step, moved, case) if moved else ""
+        if why:
+            nodes = tuple(node for node, lump in played_step.outputs.items() if lump in moved)
+            yield Finding("W4", f"{', '.join(sorted({lump.label for lump in moved}))} {why}", played_step.number, nodes)
+
+
+def _why_by_none(played_step: PlayedStep, moved: Sequence[Lump], case: Case) -> str:
+    """Return why no tool brings all that was ``moved`` as a step does; ``""`` where one may."""
+    parts = [part for lump in moved for part in lump.parts]
+    motion = played_step.step.motion
+    if motion in word_list("wets what it is put on"):
+        return "is dry, and no brush takes it up" if _are_dry(parts, case) else ""
+    if motion in word_list("picks up"):
+        loose = not _has_scoop(played_step) and _are_powder(played_step, moved, case)
+        return "is a powder, and is picked up" if loose else ""
+    return "has no shell to be opened" if played_step.does("shell") and _have_no_shell(parts) else ""
+
+
+def _are_dry(parts: Sequence[Part], case: Case) -> bool:
+    return all(_is_dry(part, case) for part in parts)
+
+
+def _have_no_shell(parts: Sequence[Part]) -> bool:
+    return all(part.food.is_any(word_list("has no shell")) for part in parts)
+
+
+def _are_powder(played_step: PlayedStep, moved: Sequence[Lump], case: Case) -> bool:
+    """Whether single foods that nobody cooked or mixed come loose out of a step, and as fine as a powder."""
+    nodes = [node for node, lump in played_step.outputs.items() if lump in moved]
+    return bool(nodes) and all(
+        not node.ingredients and _finest(node.states, case) >= _AS_POWDER and _is_loose(node, case) for node in nodes
+    )
+
+
+def _is_loose(node: ObjectNode, case: Case) -> bool:
+    """Whether a food is sold as a powder, and nothing made a paste of it: no mash."""
+    facts = case.tables.foods.food(node.label, node.states)
+    return _is_sold_fine(facts, case) and says(node.states, "is a loose powder")
+
+
+def _is_dry(part: Part, case: Case) -> bool:
+    """Whether a food is strewn by itself, and makes no paste of what is strewn."""
+    strewn = part.food.is_any(word_list("only flavours")) or _is_sold_fine(part.food, case)
+    return strewn and not part.food.is_any(word_list("makes a paste of what is dry"))
+
+
+def _is_sold_fine(facts: Food, case: Case) -> bool:
+    return case.tables.state(facts.sold_as).fineness >= _AS_POWDER
 
 
 def _has_scoop(played_step: PlayedStep) -> bool:

@@ -214,3 +214,87 @@ def test_bread_is_torn_before_it_soaks_and_not_cut_when_it_is_wet(steps):
 def test_an_egg_of_a_sauce_is_boiled_where_it_is_asked_so(steps, state, boiled):
     told = steps("sauce", "Sauce", "oil:liquid", f"egg:{state}", "mustard:paste", "vinegar:liquid", "salt:granulated")
     assert any("egg" in inputs and motion == "boil" for inputs, motion, _ in told) is boiled
+
+
+def _out_of(told, food, storage):
+    """Return the motions by which a food comes out of what it is sold in."""
+    return [motion for inputs, motion, _ in told if {food, storage} <= inputs]
+
+
+@pytest.mark.parametrize("part", ["yolk", "white", "yolks", "whites"])
+def test_a_part_of_an_egg_in_its_carton_is_poured_and_never_cracked(steps, part):
+    told = steps("cookie", "Cookies", "flour:powder", "sugar:granulated", "butter:creamy", f"egg:{part}")
+    assert _out_of(told, "egg", "carton") == ["pour"]
+    assert "crack" not in motions(told)
+
+
+@pytest.mark.parametrize(
+    ("food", "state", "storage"),
+    [("tomato", "canned, chopped", "can"), ("dill pickle", "sliced", "jar"), ("black olive", "sliced", "jar")],
+)
+def test_what_is_cut_comes_out_of_its_can_first(steps, food, state, storage):
+    told = steps("salad", "Salad", f"{food}:{state}", "lettuce:whole", "oil:liquid", "vinegar:liquid")
+    taken = next(inputs for inputs, _, _ in told if food in inputs)
+    assert storage in taken
+    assert "knife" not in taken
+
+
+def test_a_braise_is_poured_and_what_was_baked_in_a_tin_is_not(steps):
+    braise = steps(
+        "casserole", "Rabbit Casserole", "rabbit:raw", "flour:powder", "oil:liquid", "shallot:peeled", "ale:liquid",
+        "chicken stock:liquid", "prune:pitted",
+    )  # fmt: skip
+    assert "pour" in braise[-1][1]
+    bread = steps(
+        "bread", "Beer Bread", "self-rising flour:powder", "lager beer:liquid", "sugar:granulated", "butter:melted",
+        "onion:chopped",
+    )  # fmt: skip
+    assert [motion for inputs, motion, _ in bread if {"bread", "loaf pan"} <= inputs][-1] in word_list("picks up")
+
+
+def test_sauce_of_flour_and_milk_is_poured_off_the_stove(steps):
+    told = steps(
+        "pasta", "Stovetop Mac and Cheese", "elbow macaroni:uncooked", "butter:stick", "flour:powder", "milk:liquid",
+        "cheddar:grated", "salt:granulated",
+    )  # fmt: skip
+    assert "pour" in told[-1][1]
+
+
+@pytest.mark.parametrize("state", ["softened", "creamy"])
+def test_soft_cheese_is_not_chopped_to_be_blended(steps, state):
+    told = steps(
+        "cake", "Cake with Cream Cheese Frosting", "flour:powder", "egg:whole", "sugar:granulated",
+        "baking soda:powder", "butter:softened", f"cream cheese:{state}", "powdered sugar:powder",
+    )  # fmt: skip
+    assert not [inputs for inputs, _, _ in told if {"cream cheese", "knife"} <= inputs]
+
+
+def test_onion_powder_is_fried_in_no_pan_as_an_onion(steps):
+    def pans(state):
+        foods = ("ham:cubed", "sour cream:creamy", "pea:thawed", "cheese:grated", "hash brown:thawed")
+        told = steps("casserole", "Casserole", f"onion:{state}", *foods)
+        return [inputs for inputs, _, _ in told if "cooking pan" in inputs]
+
+    assert pans("chopped")
+    assert not pans("powder")
+
+
+@pytest.mark.parametrize(("leaf", "storage"), [("bay leaf", "jar"), ("thyme", "shaker")])
+def test_no_shaker_strews_whole_leaves(public_plans, leaf, storage):
+    result = public_plans("pork", "Adobo", "pork:cut", "vinegar:liquid", "soy sauce:liquid", f"{leaf}:dried")
+    seen = next(node for unit in result.units for node in unit.input_nodes if node.label == leaf)
+    assert seen.container == storage
+
+
+def test_a_dry_rub_is_rubbed_and_a_wet_one_brushed(steps):
+    rub = ("brown sugar:granulated", "paprika:smoked", "salt:granulated", "black pepper:ground")
+    dish = ("roast", "Rubbed Venison Roast", "venison roast:raw", "beef broth:liquid", "onion:cut")
+    assert "rub" in motions(steps(*dish, *rub))
+    assert "brush" not in motions(steps(*dish, *rub))
+
+
+def test_whipped_cream_comes_out_of_a_tub(public_plans):
+    result = public_plans("pudding", "Persimmon Pudding", "persimmon pulp:whole", "sugar:granulated", "egg:beaten",
+                          "flour:powder", "milk:liquid", "whipped cream:creamy")  # fmt: skip
+    seen = next(node for unit in result.units for node in unit.input_nodes if node.label == "whipped cream")
+    assert seen.container == "container"

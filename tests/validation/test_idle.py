@@ -252,3 +252,44 @@ def test_w4_bare_hands_pull_halves_apart_that_a_knife_opened(opened, fault):
 def test_w4_no_grater_holds_what_is_small(state, fault):
     step = f"coconut ({state}) + bowl (empty) + grater → GRATE → coconut (grated; in bowl) + bowl ({{coconut}})"
     assert breaks(step, "no grater") is fault
+
+
+@pytest.mark.parametrize(
+    ("motion", "thing", "tool", "why"),
+    [
+        ("PICK-AND-PLACE", "salt (granulated", "", "is a powder, and is picked up"),
+        ("PICK-AND-PLACE", "flour (powder", " + spoon", ""),
+        ("POUR", "flour (powder", "", ""),
+        ("PICK-AND-PLACE", "tomato (whole", "", ""),
+        ("PICK-AND-PLACE", "potato (mashed", "", ""),
+        ("BRUSH", "paprika (ground", " + brush", "is dry, and no brush takes it up"),
+        ("BRUSH", "olive oil (liquid", " + brush", ""),
+        ("BRUSH", "mustard (paste", " + brush", ""),
+        ("RUB", "paprika (ground", "", ""),
+        ("CRACK", "egg (yolk", "", "has no shell to be opened"),
+        ("CRACK", "egg white (liquid", "", "has no shell to be opened"),
+        ("CRACK", "egg (whole", "", ""),
+    ],
+)
+def test_w4_powder_is_not_picked_up_nor_brushed_and_nothing_is_cracked_twice(motion, thing, tool, why):
+    food = thing.partition(" (")[0]
+    step = f"{thing}; in jar) + bowl (empty){tool} → {motion} → {thing}; in bowl) + bowl ({{{food}}})"
+    told = [one for one in found("W4", step) if "powder" in one or "brush" in one or "shell" in one]
+    assert [why in one for one in told] == [True] * bool(why)
+
+
+def test_w4_a_brush_takes_up_a_rub_that_something_wets():
+    def told(wet, foods):
+        on = (
+            f"brush → BRUSH → mixture (mixed; {{{foods}}}; on plate) + beef (raw; on plate) + plate ({{beef, {foods}}})"
+        )
+        steps = (
+            "paprika (ground; in shaker) + bowl (empty) → POUR → paprika (ground; in bowl) + bowl ({paprika})",
+            f"{wet} + bowl ({{paprika}}) → POUR → {wet.partition(';')[0]}; in bowl) + bowl ({{{foods}}})",
+            f"bowl ({{{foods}}}) + spoon → MIX → mixture (mixed; {{{foods}}}; in bowl) + bowl ({{{foods}}})",
+            f"mixture (mixed; {{{foods}}}; in bowl) + bowl ({{{foods}}}) + beef (on plate) + plate ({{beef}}) + {on}",
+        )
+        return [one for one in found("W4", lines(*steps)) if "brush" in one]
+
+    assert told("salt (granulated; in shaker)", "paprika, salt")
+    assert told("oil (liquid; in bottle)", "oil, paprika") == []

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench.steps import RefusedError, Steps
 from foon_kg.integration.bench.things import Device, Shown, Stuff, Thing, Vessel, is_flat
-from foon_kg.integration.teaching.operators import Attested
+from foon_kg.integration.teaching.forms import form_of
+from foon_kg.integration.teaching.operators import Attested, Way
 
 
 class Handwork(Steps):
@@ -25,7 +26,7 @@ class Handwork(Steps):
         ``board``: what it is worked on, where it lies nowhere yet.
         """
         if stuff.at is not None and stuff.at.storage and board:
-            self._unpack(stuff)
+            self._unpack(stuff, board)
         if board and stuff.at is None:
             self._act_on(self.vessel(board), stuff, attested, states)
             return
@@ -47,10 +48,20 @@ class Handwork(Steps):
 
         self.emit(attested, [stuff, board], change, [stuff, board])
 
-    def _unpack(self, stuff: Stuff) -> None:
-        """Forget the packet that a food is sold in: what is cut lies free in the kitchen."""
-        if stuff.at is not None:
-            stuff.at.contents.remove(stuff)
+    def _unpack(self, stuff: Stuff, board: str) -> None:
+        """Take a food out of what it is sold in: what is in a can or jar comes onto ``board``, or into that.
+
+        Of a packet nothing is told: what is cut lies free in the kitchen.
+        """
+        store = stuff.at
+        if store is None:
+            return
+        if store.label in word_list("is poured out of its can"):
+            runs = form_of(self.known, stuff.label, stuff.states) == "liquid"
+            ways: list[Way] = [("pour", ()), ("pick-and-place", ())]
+            self.bring([stuff], self.vessel(board), self.require(ways if runs else ways[::-1], stuff.foods))
+        else:
+            store.contents.remove(stuff)
             stuff.at = None
 
     def part(

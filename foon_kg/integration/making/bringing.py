@@ -104,7 +104,11 @@ class Bringing:
         found = (
             self._as_recorded(transport, groups[0]) or self._by_groups(transport, groups) or self._by_hand(transport)
         )
-        return found or self.bench.require(groups[-1].ways or _BY_HAND, transport.stuff.foods)
+        if found is not None:
+            return found
+        handling = self._handling(transport, strict=False)
+        ways = [way for way in groups[-1].ways if handling.allows(way[0])]
+        return self.bench.require(ways or groups[-1].ways or _BY_HAND, transport.stuff.foods)
 
     def _groups(self, transport: Transport) -> Iterator[_Ways]:
         """Yield the ways to bring a food, group by group, the most fitting first."""
@@ -113,11 +117,15 @@ class Bringing:
         usual = operators.brings(form, transport.role)
         yield _Ways(self._as_shown(transport))
         yield _Ways(self._by_store(usual, transport), for_any=True)  # no jar is emptied of what is thick
-        if slot is not None and (slot.motion, slot.tools) in usual:
+        if slot is not None and (slot.motion, slot.tools) in usual and not self._opens(slot):
             yield _Ways([(slot.motion, slot.tools)])
         for name in (*want.names, f"kind:{want.facts.kind}"):
             yield self._pure(operators.brings_such(name, form, transport.role))
         yield self._pure(usual)
+
+    def _opens(self, slot: Slot) -> bool:
+        """Whether what joins at ``slot`` was in its shell, and was opened there: what has none is not."""
+        return "shell" in self.known.motion(slot.motion).does
 
     def _pure(self, ways: Sequence[Way]) -> _Ways:
         return _Ways([way for way in ways if only_brings(self.known, way[0])])
@@ -181,9 +189,10 @@ class Bringing:
         """
         label, states, source = transport.stuff.label, transport.stuff.states, transport.source
         fluid = is_poured(self.known, label, states) if strict else is_liquid_or_soft(transport.stuff, self.known)
+        powder = source is not None and form_of(self.known, label, states) == "powder"
         return _Handling(
             poured=not is_laid(self.known, label, states, flat=strict and is_flat(transport.target.label)),
-            picked=not fluid,
+            picked=not fluid and not powder,
             scraped=transport.role != "storage" or not says(states, "runs"),
             sprayed=source is not None and source.label in word_list("sprays"),
         )

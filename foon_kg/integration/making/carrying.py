@@ -146,7 +146,16 @@ class Carrier:
         if any(not SOLID.isdisjoint(stuff.states) for stuff in stuffs):
             return None
         foods = tuple(dict.fromkeys(food for stuff in stuffs for food in stuff.foods))
+        if self._is_dry(foods):
+            return self.bench.near_or_far(self.bench.ways_by(word_list("puts on what is dry")), foods)
         return self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
+
+    def _is_dry(self, foods: Sequence[str]) -> bool:
+        """Whether foods make a powder together: nothing in them makes a paste of that."""
+        dry = word_list("only flavours")
+        return all(
+            form_of(self.known, food, ()) == "powder" or self.known.foods.food(food).is_any(dry) for food in foods
+        ) and not any(self.known.foods.food(food).is_any(word_list("makes a paste of what is dry")) for food in foods)
 
     def _strained(self, stuffs: Sequence[Stuff], target: Vessel) -> list[Stuff]:
         """Return what stays in a strainer, without the water that runs off; nothing where none does."""

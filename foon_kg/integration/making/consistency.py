@@ -63,8 +63,13 @@ def _is_melted(stuff: Stuff, foods: Sequence[Food]) -> bool:
 
 
 def _has_set(stuff: Stuff, foods: Sequence[Food], known: Tables) -> bool:
-    """Whether what ran is solid now that it was heated."""
-    return _is_baked_firm(stuff, known) or any(food.is_a("egg", "flour", "dough") for food in foods)
+    """Whether what ran is solid now that it was heated: what only thickens a sauce on a stove sets nothing."""
+    if _is_braised(stuff, known):
+        return False
+    if _is_baked_firm(stuff, known) or any(food.is_a("egg", "dough", "leaven") for food in foods):
+        return True
+    thickened = not is_baked(stuff) and any(food.kind in word_list("is a sauce around flesh") for food in foods)
+    return not thickened and any(food.is_a("flour") for food in foods)
 
 
 def _is_baked_firm(stuff: Stuff, known: Tables) -> bool:
@@ -75,7 +80,21 @@ def _is_baked_firm(stuff: Stuff, known: Tables) -> bool:
     swells = steamed and any(
         known.foods.food(food).is_any(word_list("sets when it is steamed")) for food in stuff.foods
     )
-    return swells or binds(stuff.foods, known)
+    return swells or (binds(stuff.foods, known) and not _is_braised(stuff, known))
+
+
+def _is_braised(stuff: Stuff, known: Tables) -> bool:
+    """Whether a mixture is pieces in a liquid that is only thickened, be it in an oven: nothing binds all of it.
+
+    In a tin it is a batter.
+    """
+    row = None if stuff.at is None else known.utensil(stuff.at.label)
+    if row is not None and row.group == "tins":
+        return False
+    foods = [known.foods.food(food) for food in stuff.foods]
+    pieces = any(food.is_any(word_list("is stewed in pieces")) for food in foods)
+    bound = any(food.is_any(word_list("binds what is stewed")) for food in foods)
+    return pieces and not bound and _is_in_liquid(foods)
 
 
 def _has_liquid_left(foods: Sequence[Food]) -> bool:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Stuff, Vessel
+from foon_kg.food.rows import CHOPPED
+from foon_kg.integration.bench import Stuff, Vessel, fineness
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import LiftedOut, Rejoined, Stage
@@ -26,8 +27,9 @@ class Lifting:
         wants = self.taking_out.inside(vessel, self._is_lifted)
         self.bench.heat_off(vessel)
         target = self.bench.vessel(stage.vessel)
+        pieces = [want for want in wants if not self._is_in_bits(want)]
         for stuff in list(vessel.contents):
-            self._lift(stuff, [want for want in wants if want.number in stuff.wants], target)
+            self._lift(stuff, [want for want in pieces or wants if want.number in stuff.wants], target)
         if not target.contents:
             return vessel
         self.left = [vessel] if vessel.contents else []
@@ -42,6 +44,10 @@ class Lifting:
 
     def _is_lifted(self, want: Want) -> bool:
         return want.facts.is_any(word_list("is flesh")) and not want.facts.is_any(word_list("stays in its sauce"))
+
+    def _is_in_bits(self, want: Want) -> bool:
+        """Whether flesh is so fine that it is part of what the rest was cooked in: nobody picks that out."""
+        return fineness([state for state in (want.make, *want.leaf) if state], self.known) >= CHOPPED
 
     def _lift(self, stuff: Stuff, wants: Sequence[Want], target: Vessel) -> None:
         """Lift ``wants`` out of a thing; the thing itself, with what clings to it, where it is nothing else."""

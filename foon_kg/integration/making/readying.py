@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence, Set
 from dataclasses import replace
 
 from foon_kg.food import Food, Tables
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import fineness
 from foon_kg.integration.joining.course import MIXES
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.alone import Alone
 from foon_kg.integration.preparing.preparation import Ready, Want
-from foon_kg.integration.teaching.forms import form_of
+from foon_kg.integration.teaching.forms import form_of, is_scooped
 from foon_kg.integration.teaching.frames import HEATS, Phase, Stage
 
 
@@ -85,10 +85,15 @@ class Readying:
         others = (one.want.facts for one in self.plan.joins if one is not join)
         return any(not facts.is_any(word_list("is eaten on a cob")) for facts in others)
 
+    def _is_soft_or_cut(self, want: Want) -> bool:
+        """Whether a food comes soft or in pieces, so that no knife need do more."""
+        soft = is_scooped(want.leaf) or says(want.leaf, "is soft so")
+        return soft or fineness(filter(None, (want.make, *want.leaf)), self.known) > 0
+
     def _as_eaten(self, join: Join, *, blended: bool) -> Want:
         """Return a want that nobody asked cut, cut or mashed where it is never eaten, shaped or ``blended`` whole."""
         want = self._as_soft_as_needed(join)
-        if fineness(filter(None, (want.make, *want.leaf)), self.known) > 0:
+        if self._is_soft_or_cut(want):
             return want
         if blended and want.facts.is_any(word_list("is cut to be blended")):
             return replace(want, make=min(word_list("is cut so to be blended")))
