@@ -87,3 +87,61 @@ def test_a_joint_is_browned_and_braised_in_milk_and_carved(steps):
                  "butter:creamy", "salt:ground")  # fmt: skip
     assert "milk" not in taking(told, "cook and stir")
     assert first(told, "milk", "simmer") < first(told, "pork", "slice")
+
+
+def test_fish_that_a_title_calls_smoked_is_not_boiled(steps):
+    told = steps("pasta", "Smoked Trout Linguine", "linguine:uncooked", "trout fillets:flaked", "creme fraiche:creamy",
+                 "watercress:chopped")  # fmt: skip
+    assert first(told, "trout fillets", "pull apart") == min(
+        place for place, (inputs, _, _) in enumerate(told) if "trout fillets" in inputs
+    )
+
+
+def test_fish_fingers_are_cooked_before_they_lie_on_bread(steps):
+    told = steps("sandwich", "Fish Finger Sandwich", "fish fingers:frozen", "bread:loaf", "tartare sauce:creamy")
+    assert "cooked" in states_of(told, "fish fingers")
+
+
+def test_what_a_title_calls_grilled_is_marinated_in_stock_and_ketchup_and_broiled(steps):
+    told = steps("chicken", "Huli Huli Grilled Chicken", "chicken thighs:skinless", "brown sugar:granulated",
+                 "ketchup:sauce", "soy sauce:liquid", "chicken broth:liquid", "garlic:minced")  # fmt: skip
+    assert {"ketchup", "chicken broth", "soy sauce"} <= taking(told, "stir")
+    assert motions(told).index("chill") < motions(told).index("broil")
+
+
+def test_anchovy_butter_lies_on_a_steak_and_cress_beside_it(steps):
+    told = steps("steak", "Bavette with Anchovy Butter", "bavette steaks:raw", "oil:liquid", "butter:unmelted",
+                 "anchovies in oil:chopped", "garlic:crushed", "watercress:leaves")  # fmt: skip
+    assert {"butter", "anchovies in oil"} <= taking(told, "mix")
+    assert taking(told, "cook").isdisjoint({"butter", "anchovies in oil", "watercress"})
+
+
+def test_roots_are_boiled_and_mashed_before_they_are_kneaded_into_a_dough(steps):
+    told = steps("bread", "Potato Bread", "russet potato:cubed", "water:liquid", "yeast:powder", "butter:softened",
+                 "salt:granulated", "bread flour:powder")  # fmt: skip
+    assert first(told, "russet potato", "boil") < first(told, "russet potato", "mash") < motions(told).index("knead")
+
+
+def test_ground_polenta_is_flour_of_a_cake(steps):
+    told = steps("cake", "", "almond:ground", "polenta:ground", "egg:whole raw", "butter:softened", "sugar:ground",
+                 "baking powder:ground")  # fmt: skip
+    assert "boil" not in motions(told)
+
+
+def test_cured_ham_comes_on_a_pizza_that_is_baked(steps):
+    told = steps("pizza", "", "dough:dough", "prosciutto:sliced", "gorgonzola:crumbled", "vinegar:thick liquid")
+    assert taking(told, "bake").isdisjoint({"prosciutto", "vinegar"})
+
+
+def test_crab_is_bound_and_baked_under_crumbs(steps):
+    told = steps("seafood", "Deviled Crab", "crabmeat:canned", "celery:minced", "crackers:crushed", "butter:melted",
+                 "mayonnaise:creamy", "egg:beaten", "mustard:dry")  # fmt: skip
+    assert {"crabmeat", "mayonnaise", "egg"} <= taking(told, "mix")
+    assert first(told, "celery", "cook and stir") < motions(told).index("bake")
+
+
+def test_marinated_carrots_are_boiled_and_left_in_their_dressing(steps):
+    told = steps("vegetables", "Copper Pennies", "carrots:sliced", "onion:sliced", "tomato soup:canned",
+                 "sugar:granulated", "oil:liquid", "vinegar:liquid")  # fmt: skip
+    assert first(told, "carrots", "mix") < motions(told).index("chill")
+    assert "carrots" in taking(told, "cook") | taking(told, "boil")

@@ -55,6 +55,13 @@ def _as_called(want: Want, state: str, known: Tables, operators: Operators) -> W
     row = known.state(state)
     if is_bought_so(row, state, operators):
         return replace(want, leaf=(state,), bought_so=True)
+    if state in word_list("is bought so by the title"):
+        return _ready_fish(want, state, known)
+    return _made_so(want, state, row)
+
+
+def _made_so(want: Want, state: str, row: State) -> Want | None:
+    """Return a food that is cooked or ground to a ``state``, of which ``row`` tells; ``None`` where that cannot be."""
     owes = want.facts.owes
     if row.needs_heat and "cook" in row.earns and not want.cooked and "boil" not in owes:
         make = state if state in word_list("is so by boiling") else ""
@@ -62,9 +69,17 @@ def _as_called(want: Want, state: str, known: Tables, operators: Operators) -> W
     return replace(want, then=state) if row.fineness >= POWDER and {"cook", "boil"} & owes.keys() else None
 
 
+def _ready_fish(want: Want, state: str, known: Tables) -> Want | None:
+    """Return fish that is bought in a state as what is eaten so; ``None`` for what a cook may smoke or has to heat."""
+    sold = known.foods.food(want.label, [state])
+    if not want.facts.is_a("fish") or "ready" not in sold.traits:
+        return None
+    return replace(want, facts=sold, leaf=(state,), bought_so=True)
+
+
 def _before_it(want: Want, title_words: Sequence[str]) -> Iterator[str]:
     """Yield the words of a title before the name of a food, of which the last word is enough there (breast)."""
-    own = words(want.label)
+    own = _without_its_cut(words(want.label))
     for place, word in enumerate(title_words):
         if word not in own[-1:]:
             continue
@@ -73,6 +88,11 @@ def _before_it(want: Want, title_words: Sequence[str]) -> Iterator[str]:
             first -= 1
         if first:
             yield title_words[first - 1]
+
+
+def _without_its_cut(name: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the words of a food's name but for a last one that says which piece of it: trout fillet."""
+    return name[:-1] if name[1:] and name[-1] in word_list("is a piece of fish") else name
 
 
 def is_bought_so(row: State, state: str, operators: Operators) -> bool:
