@@ -1,10 +1,9 @@
-// Adds to the counts of how many units operators have, what they give, from where they bring what, where they are done and with which appliances,
+// Adds to the counts of how many units operators have, what they give, from where they bring what, where they are done,
 // and to those of the states in which matters are. What reaches nothing is forgotten.
 // param: operators LIST<MAP>
 // param: gives LIST<MAP>
 // param: brings LIST<MAP>
 // param: places LIST<MAP>
-// param: appliances LIST<MAP>
 // param: states LIST<MAP>
 // mode: write
 CALL () {
@@ -35,15 +34,6 @@ CALL () {
   MATCH (o:Operator {key: row.operator})
   MERGE (u:Utensil {name: row.utensil})
   MERGE (o)-[r:DONE_IN]->(u)
-  SET r.count = coalesce(r.count, 0) + row.count
-  WITH r WHERE r.count = 0
-  DELETE r
-}
-CALL () {
-  UNWIND $appliances AS row
-  MATCH (o:Operator {key: row.operator})
-  MERGE (u:Utensil {name: row.utensil})
-  MERGE (o)-[r:WORKS_WITH]->(u)
   SET r.count = coalesce(r.count, 0) + row.count
   WITH r WHERE r.count = 0
   DELETE r

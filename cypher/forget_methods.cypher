@@ -12,7 +12,7 @@ CALL () {
 }
 CALL (ties) {
   MATCH (n:Frame|Line|Matter|Operator|Post|Slot|Stage|Utensil)
-  WHERE NOT EXISTS { (n)<-[:DONE_TO|BRINGS|DONE_IN|WORKS_WITH]-() } AND NOT EXISTS { (n:Operator)-->() }
+  WHERE NOT EXISTS { (n)<-[:DONE_TO|BRINGS|DONE_IN]-() } AND NOT EXISTS { (n:Operator)-->() }
   WITH n LIMIT $most
   DETACH DELETE n
   RETURN count(n) AS nodes

@@ -5,7 +5,6 @@
 // column: gives
 // column: brings
 // column: places
-// column: appliances
 // column: states
 // column: posts
 // column: beside
@@ -23,7 +22,6 @@ RETURN
   [o IN found | [(o)-[r:GIVES]->(s) | [s.name, r.count]]] AS gives,
   [o IN found | [(o)-[r:BRINGS]->(m) | [m.name, r.out_of, r.count]]] AS brings,
   [o IN found | [(o)-[r:DONE_IN]->(u) | [u.name, r.count]]] AS places,
-  [o IN found | [(o)-[r:WORKS_WITH]->(u) | [u.name, r.count]]] AS appliances,
   COLLECT { MATCH (m:Matter)-[:FOUND_AS]->(s:State) WITH m, collect(s.name) AS names RETURN [m.name, names] } AS states,
   COLLECT { MATCH (k:Kind)-[r:JOINS_AT]->(p:Post) RETURN [k.name, r.dish_type, p.work, p.heated, p.joins, r.count] } AS posts,
   COLLECT { MATCH (k:Kind)-[r:JOINS_BESIDE]->(other) RETURN [k.name, other.name, r.count] } AS beside,

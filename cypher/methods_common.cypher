@@ -1,6 +1,7 @@
 // What of all that was learnt matters to every question, however large the FOON is: the operators with their evidence,
-// each with the food that it is most often done to and most often changes (usual_foods); what they give, where they are done and from
-// where they bring what kinds of food; in which states kinds are found; and how often foods of each kind join where.
+// each with the food that it is most often done to and most often changes (usual_foods) and with all appliances; what they
+// give, where they are done and from where they bring what kinds of food; in which states kinds are found; and how often
+// foods of each kind join where.
 // column: operators
 // column: usual
 // column: gives
@@ -32,7 +33,10 @@ RETURN
   } AS usual,
   COLLECT { UNWIND found AS o MATCH (o)-[r:GIVES]->(s) RETURN [id(o), s.name, r.count] } AS gives,
   COLLECT { UNWIND found AS o MATCH (o)-[r:DONE_IN]->(u) RETURN [id(o), u.name, r.count] } AS places,
-  COLLECT { UNWIND found AS o MATCH (o)-[r:WORKS_WITH]->(u) RETURN [id(o), u.name, r.count] } AS appliances,
+  COLLECT {
+    MATCH (m:Appliance)<-[d:DONE_TO]-(o)
+    RETURN [id(o), m.name, [d.units, d.changed, d.seen, d.changes]]
+  } AS appliances,
   COLLECT {
     MATCH (m:Kind|Form)<-[r:BRINGS]-(o)
     RETURN [id(o), m.name, r.out_of, r.count]

@@ -1,5 +1,5 @@
 // Takes away the operators that no unit attests any more, and what nothing speaks of: of the foods those that are named, all
-// kinds, forms, posts and utensils, and the matter that stands for anything.
+// kinds, forms, appliances, posts and utensils, and the matter that stands for anything.
 // param: foods LIST<STRING>
 // mode: write
 // scans: all but foods are few
@@ -10,7 +10,7 @@ CALL () {
   UNWIND $foods AS food
   MATCH (m:Matter {name: food}) WHERE NOT EXISTS { (m)--() } DELETE m
   UNION ALL
-  MATCH (m:Kind|Form) WHERE NOT EXISTS { (m)--() } DELETE m
+  MATCH (m:Appliance|Kind|Form) WHERE NOT EXISTS { (m)--() } DELETE m
   UNION ALL
   MATCH (p:Post) WHERE NOT EXISTS { (p)--() } DELETE p
   UNION ALL

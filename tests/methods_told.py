@@ -33,7 +33,7 @@ def evidence_told(evidence):
         "often": dict(evidence.often),
         "foods": {food: first(seen) for food, seen in evidence.foods.items()},
         "kinds": {kind: first(seen) for kind, seen in evidence.kinds.items()},
-        "appliances": dict(evidence.appliances),
+        "appliances": {name: first(seen) for name, seen in evidence.appliances.items()},
     }
 
 

@@ -158,6 +158,11 @@ class Utensil:
         """Whether food is in it as it is sold, or comes out of it: a jar, a tap."""
         return self.role == "storage" or self.source == "water"
 
+    def works_like(self, other: Utensil) -> bool:
+        """Return whether this appliance works as the ``other`` does: it is of its group, or can do just the same."""
+        alike = bool(self.can) and (self.can, self.source) == (other.can, other.source)
+        return self.role == other.role == "appliance" and (self.group == other.group or alike)
+
 
 @dataclass(frozen=True)
 class Dish:

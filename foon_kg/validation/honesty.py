@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import get_args
@@ -13,12 +13,16 @@ from foon_kg.model.claims import Substitution, SubstitutionKind
 from foon_kg.model.tree import TreeUnit
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
+from foon_kg.world.reading import NodeReading
 
 KINDS: tuple[str, ...] = get_args(SubstitutionKind)
 
 
 class Grounding(IntEnum):
-    """How near the evidence of a unit is: the same food, a declared equivalent, its kind, the motion alone."""
+    """How near the evidence of a unit is: the same food, a declared equivalent, its kind, the motion alone.
+
+    Of a unit without food the appliance counts: the same one, one that works like it (its kind), the motion alone.
+    """
 
     FOOD = 0
     LIKE = 1
@@ -50,7 +54,8 @@ def _undeclared_evidence(case: Case) -> Iterator[Finding]:
     """Yield the units whose evidence is no food like theirs and that do not say by what they are grounded."""
     for place, unit in enumerate(case.tree.units):
         if unit.seen_in and _nearest(case, unit) > Grounding.LIKE and unit.grounding is None:
-            foods = ", ".join(sorted(_facts(case, unit).inputs)) or "nothing"
+            facts = _facts(case, unit)
+            foods = ", ".join(sorted(facts.inputs or facts.appliances)) or "nothing"
             yield Finding("C7", f"no substitution says what {foods} is handled like", place)
 
 
@@ -147,8 +152,13 @@ def _claims(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:
     words = [level.word for level in Grounding]
     if unit.grounding not in words:
         yield Finding("C8", f"its grounding is “{unit.grounding}”, not {', '.join(words)}", place)
-    elif words.index(unit.grounding) < _nearest(case, unit) and _facts(case, unit).inputs:
+    elif words.index(unit.grounding) < _nearest(case, unit) and _is_about_something(_facts(case, unit)):
         yield Finding("C8", f"it claims “{unit.grounding}”, and its evidence is {_nearest(case, unit).word}", place)
+
+
+def _is_about_something(facts: _Facts) -> bool:
+    """Return whether the evidence of a unit with these ``facts`` is asked of what goes in, or of its appliance."""
+    return bool(facts.inputs) or not facts.foods
 
 
 def _nearest(case: Case, unit: TreeUnit) -> Grounding:
@@ -159,12 +169,23 @@ def _nearest(case: Case, unit: TreeUnit) -> Grounding:
 def nearness(case: Case, unit: TreeUnit, source: FunctionalUnit) -> Grounding:
     """Return how near ``source``, a unit of the FOON, is as evidence for ``unit``, one of the tree of ``case``."""
     mine, theirs = _facts(case, unit).foods, _facts(case, source).foods
-    if not mine or mine & theirs:
+    if not mine:
+        return _nearness_of_appliances(case, _facts(case, unit).appliances, _facts(case, source).appliances)
+    if mine & theirs:
         return Grounding.FOOD
     if any(_declared(case, "object", food, other) for food in mine for other in theirs):
         return Grounding.LIKE
     kinds = {case.tables.foods.find(food)[0] for food in mine} & {case.tables.foods.find(food)[0] for food in theirs}
     return Grounding.KIND if kinds - {"unknown"} else Grounding.MOTION
+
+
+def _nearness_of_appliances(case: Case, mine: frozenset[str], theirs: frozenset[str]) -> Grounding:
+    """Return how near ``theirs`` are as evidence for what is done with ``mine`` and without food."""
+    if not mine or mine & theirs:
+        return Grounding.FOOD
+    own, others = ([case.tables.utensils[name] for name in sorted(names)] for names in (mine, theirs))
+    alike = any(one.works_like(other) for one in own for other in others)
+    return Grounding.KIND if alike else Grounding.MOTION
 
 
 def _declared(case: Case, kind: str, mine: str, theirs: str) -> bool:
@@ -178,11 +199,12 @@ def _declared(case: Case, kind: str, mine: str, theirs: str) -> bool:
 
 @dataclass(frozen=True)
 class _Facts:
-    """The foods of a unit, those that go in, and the tools that go in; names in the singular."""
+    """The foods of a unit, those that go in, the tools that go in, and its appliances; names in the singular."""
 
     foods: frozenset[str]
     inputs: frozenset[str]
     tools: frozenset[str]
+    appliances: frozenset[str]
 
 
 def _facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
@@ -197,10 +219,15 @@ def _facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
 
 def _read_facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
     inputs, outputs = ([case.reader.read(node) for node in side] for side in (unit.input_nodes, unit.output_nodes))
-    foods_in = frozenset().union(*(said.names | ({said.label} if said.is_food else set()) for said in inputs))
-    foods_out = frozenset().union(*(said.names | ({said.label} if said.is_food else set()) for said in outputs))
+    foods_in, foods_out = _foods(inputs), _foods(outputs)
     tools = frozenset(said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool")
-    return _Facts(foods_in | foods_out, foods_in, tools)
+    appliances = frozenset(said.label for said in (*inputs, *outputs) if said.is_appliance)
+    return _Facts(foods_in | foods_out, foods_in, tools, appliances)
+
+
+def _foods(saids: Iterable[NodeReading]) -> frozenset[str]:
+    """Return the foods that nodes are or hold, of what the nodes say (``saids``)."""
+    return frozenset().union(*(said.names | {said.label} if said.is_food else said.names for said in saids))
 
 
 def _in_words(entry: Substitution) -> str:

@@ -110,7 +110,7 @@ def test_the_page_has_all_that_is_in_a_graph_with_its_type_and_nothing_else(whol
         pattern = f"()-[n:{owner}]->()" if owner.isupper() else f"(n:{owner})"
         missing = rows(whole, f"MATCH {pattern} WHERE n.{key} IS NULL RETURN count(n)")[0][0]
         assert not missing or kind.endswith(OR_MISSING), f"{owner}.{key} is missing {missing} times"
-    named = set(re.findall(r":([A-Za-z_]+)[)\]]", PAGE)) | {owner for owner, _ in told} | {"Kind", "Form"}
+    named = set(re.findall(r":([A-Za-z_]+)[)\]]", PAGE)) | {owner for owner, _ in told} | {"Kind", "Form", "Appliance"}
     for question in NAMES:
         names = {name for (name,) in rows(whole, question)}
         assert len(names) > 10

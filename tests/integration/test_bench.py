@@ -297,6 +297,35 @@ def test_a_switch_that_is_there_already_is_no_step():
     assert len(cook.bench.done) == count
 
 
+SHELF = """
+name: a shelf
+mixer (off) → TURN ON → mixer (on)
+pan (empty) + shelf → PICK-AND-PLACE → pan (empty; on shelf)
+oven (off) → TURN ON → oven (on)
+pan (empty) + stove (off) → PLACE → pan (empty; on stove) + stove (off; under pan)
+stove (off; under pan) → TURN ON → stove (on; under pan)
+stove (on; under pan) → TURN OFF → stove (off; under pan)
+pan (empty; on stove) + stove (off; under pan) → TAKE OUT → pan (empty) + stove (off)
+"""
+
+
+def test_what_is_done_with_an_appliance_and_no_food_is_attested_by_units_with_it():
+    one = Bench(operators_of(SHELF), LIKES, LIKES.alike)
+    pan = one.vessel("pan")
+    stove = one.place(pan, "stove", "on")
+    one.switch(pan, stove, on=True)
+    one.heat_off(pan)
+    one.take_off(pan)
+    one.switch(None, one.device("oven"), on=True)
+    one.all_off()
+    named = [(done.step.motion, done.attested.nearness, done.attested.seen_in[0].position) for done in one.done]
+    same, motion = Nearness.FOOD, Nearness.MOTION
+    assert named == [
+        ("place", same, 3), ("turn on", same, 4), ("turn off", same, 5), ("take out", same, 6), ("turn on", same, 2),
+        ("turn off", motion, 5),
+    ]  # fmt: skip
+
+
 def test_a_step_that_changes_nothing_is_none():
     one = bench()
     tomato = one.fetch("tomato", ("whole",), [1], "")

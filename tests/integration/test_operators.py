@@ -82,6 +82,34 @@ def test_a_motion_without_foods_is_attested_by_itself():
     assert found.nearness.word == "motion"
 
 
+SWITCHES = """
+name: creams
+mixer (off) → TURN ON → mixer (on)
+mixer (on) → TURN OFF → mixer (off)
+---
+name: loaves
+oven (off) → TURN ON → oven (on)
+stove (off) → TURN ON → stove (on)
+"""
+
+
+@pytest.mark.parametrize(
+    ("motion", "appliance", "nearness", "seen"),
+    [
+        ("turn on", "mixer", Nearness.FOOD, [("creams", 0)]),
+        ("turn on", "oven", Nearness.FOOD, [("loaves", 0)]),
+        ("turn on", "stove", Nearness.FOOD, [("loaves", 1)]),
+        ("turn on", "hand mixer", Nearness.KIND, [("creams", 0)]),
+        ("turn on", "toaster oven", Nearness.KIND, [("loaves", 0)]),
+        ("turn off", "oven", Nearness.MOTION, [("creams", 1)]),
+        ("turn on", "toaster", Nearness.MOTION, [("creams", 0), ("loaves", 0), ("loaves", 1)]),
+    ],
+)
+def test_without_food_the_appliance_says_by_which_units_it_is_attested(motion, appliance, nearness, seen):
+    found = operators_of(SWITCHES).attested((motion, ()), (), appliance=appliance)
+    assert (found.nearness, sightings(found)) == (nearness, seen)
+
+
 def test_another_tool_is_another_way():
     operators = operators_of(TOMATO, CARROT)
     assert operators.attested(("slice", ()), ("tomato",)) is None

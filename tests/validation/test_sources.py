@@ -185,9 +185,33 @@ def test_c8_without_a_source_no_claim_is_asked():
     assert found("C8", sliced(seen="nothing", grounding="certain"), FOON) == ["C8 step 1: it names no unit of the FOON"]
 
 
-def test_c8_a_step_without_food_may_claim_anything():
-    text = "stove (off) → TURN ON → stove (on)\nseen in: tomatoes 1\ngrounding: food"
+SWITCHED = "{0} (off) → TURN ON → {0} (on)\nseen in: tomatoes 1\ngrounding: {1}"
+
+
+@pytest.mark.parametrize(
+    ("appliance", "claim", "evidence"),
+    [
+        ("stove", "food", ""),
+        ("hot plate", "kind", ""),
+        ("hot plate", "food", "kind"),
+        ("oven", "motion", ""),
+        ("oven", "kind", "motion"),
+        ("oven", "food", "motion"),
+    ],
+)
+def test_c8_a_step_without_food_is_attested_by_the_appliance_that_its_evidence_shows(appliance, claim, evidence):
+    told = [f"C8 step 1: it claims “{claim}”, and its evidence is {evidence}"] if evidence else []
+    assert found("C8", SWITCHED.format(appliance, claim), FOON) == told
+
+
+def test_c8_a_step_without_food_and_appliance_may_claim_anything():
+    text = "plate (empty) + knife → SLICE → plate (dirty)\nseen in: tomatoes 0\ngrounding: food"
     assert found("C8", text, FOON) == []
+
+
+def test_c7_a_step_without_food_whose_evidence_is_another_appliance_says_so():
+    text = "oven (off) → TURN ON → oven (on)\nseen in: tomatoes 1"
+    assert found("C7", text, FOON) == ["C7 step 1: no substitution says what oven is handled like"]
 
 
 def test_c8_a_declared_equivalent_counts_in_one_direction():

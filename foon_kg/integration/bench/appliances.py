@@ -53,7 +53,8 @@ class Bench(Handwork):
         """
         device = self.device(label)
         self._clear(device, relation)
-        attested = self.first([(motion, ()) for motion in _PLACES.get(relation, _ATTACHES)], foods_of(vessel))
+        ways = [(motion, ()) for motion in _PLACES.get(relation, _ATTACHES)]
+        attested = self.first_with(label, ways, foods_of(vessel))
 
         def change() -> None:
             vessel.device, vessel.relation = device, relation
@@ -106,9 +107,9 @@ class Bench(Handwork):
         is done with the appliance, tells as much: the same hand undoes it. It is declared as a substitution.
         """
         try:
-            attested = self.first([(name, ()) for name in names], foods)
+            attested = self.first_with(device, [(name, ()) for name in names], foods)
         except RefusedError:
-            attested = self.require(self._ways_with(device, others), foods)
+            attested = self.first_with(device, self._ways_with(device, others), foods)
             self.other_motions[device, names[0]] = (attested.way[0], _SWITCHED)
             return names[0], attested
         return attested.way[0], attested

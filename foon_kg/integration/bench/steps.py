@@ -92,6 +92,17 @@ class Steps(Inventory):
                 return found
         return self.require(ways, foods)
 
+    def first_with(self, appliance: str, ways: Iterable[Way], foods: Sequence[str]) -> Attested:
+        """Return :meth:`first` of ``ways`` for ``foods``; without food the nearest evidence with ``appliance``.
+
+        Raises :class:`RefusedError` where there is none.
+        """
+        ways = list(ways)
+        if foods:
+            return self.first(ways, foods)
+        found = (self.operators.attested(way, (), appliance=appliance) for way in ways)
+        return min(filter(None, found), key=lambda one: one.nearness, default=None) or self.require(ways, foods)
+
     def ways_by(self, motions: Collection[str]) -> list[Way]:
         """Return the ways with one of some motions, motion by motion, and of each the most frequent first."""
         return [way for motion in sorted(motions) for way in self.operators.ways_of(motion)]

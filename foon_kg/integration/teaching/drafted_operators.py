@@ -48,8 +48,8 @@ class DraftedOperators(Operators):
             own.kinds[kind] = drafted.kinds[kind]
         if not own.all:
             own.all, own.count = drafted.all, drafted.count
-        if not own.appliances:
-            own.appliances.update(drafted.appliances)
+        for appliance in sorted(drafted.appliances.keys() - own.appliances.keys()):
+            own.appliances[appliance] = drafted.appliances[appliance]
 
 
 def _fill_counts(own: dict[K, Counter[W]], drafted: dict[K, Counter[W]]) -> None:

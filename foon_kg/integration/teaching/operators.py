@@ -45,7 +45,10 @@ Alike = Callable[[str, str], float]
 
 
 class Nearness(IntEnum):
-    """How near the evidence of a step is: the same food, a like one, one of its kind, the motion alone."""
+    """How near the evidence of a step is: the same food, a like one, one of its kind, the motion alone.
+
+    Of a step without food the appliance counts: the same one, one that works like it (its kind), the motion alone.
+    """
 
     FOOD = 0
     LIKE = 1
@@ -86,7 +89,7 @@ def _first(sightings: Sequence[Sighting]) -> list[Sighting]:
 class Evidence:
     """The units that attest a way: the first few of each food and kind, the first few of all, and how many there are.
 
-    ``often`` counts the units by food, ``appliances`` by the appliance that takes part.
+    ``often`` counts the units by food; ``appliances`` has the first few of each appliance that takes part.
     """
 
     foods: defaultdict[str, list[Sighting]] = field(default_factory=lambda: defaultdict(list))
@@ -94,7 +97,7 @@ class Evidence:
     all: list[Sighting] = field(default_factory=list)
     count: int = 0
     often: Counter[str] = field(default_factory=Counter)
-    appliances: Counter[str] = field(default_factory=Counter)
+    appliances: defaultdict[str, list[Sighting]] = field(default_factory=lambda: defaultdict(list))
 
     def copy(self) -> Evidence:
         """Return the same evidence, to which more can be added."""
@@ -104,7 +107,7 @@ class Evidence:
     def keep_the_first(self) -> None:
         """Forget all sightings but those that may be named."""
         self.all = _first(self.all)
-        for sightings in (self.foods, self.kinds):
+        for sightings in (self.foods, self.kinds, self.appliances):
             for name, seen in sightings.items():
                 sightings[name] = _first(seen)
 
@@ -147,7 +150,8 @@ class Operators:
         both = (*inputs, *outputs)
         way = (unit.motion, _tools_of(inputs))
         self._attest(self.evidence[way], _foods(both), seen)
-        self.evidence[way].appliances.update(said.label for said in both if said.is_appliance)
+        for appliance in sorted({said.label for said in both if said.is_appliance}):
+            self.evidence[way].appliances[appliance].extend(seen)
         for said in both:
             self._note_states(said)
         changed = self._changes(inputs, outputs, way)
@@ -223,17 +227,19 @@ class Operators:
         *,
         act: bool = False,
         instead: Collection[str] = (),
+        appliance: str = "",
     ) -> Attested | None:
         """Return the nearest evidence that ``way`` is done to one of ``foods`` (singular names, the main one first).
 
         ``act``: to one that it changes. ``None`` where no unit of the motion has one of them, a like one or one of
-        their kind. Of the foods in ``instead`` a person wishes that they be handled like another one.
+        their kind. Of the foods in ``instead`` a person wishes that they be handled like another one. Without foods it
+        is done with ``appliance``, where one takes part.
         """
         evidence = self._evidence(way, act=act)
         if evidence is None:
             return None
         if not foods:
-            return Attested(way, Nearness.MOTION, evidence.all)
+            return self._attested_with(way, evidence, appliance)
         for food in foods:
             if food in evidence.foods and food not in instead:
                 return Attested(way, Nearness.FOOD, evidence.foods[food])
@@ -242,6 +248,17 @@ class Operators:
             return Attested(way, Nearness.LIKE, evidence.foods[alike[1]], alike)
         kind = self._first_kind(evidence, foods)
         return Attested(way, Nearness.KIND, evidence.kinds[kind]) if kind is not None else None
+
+    def _attested_with(self, way: Way, evidence: Evidence, appliance: str) -> Attested:
+        """Return the ``evidence`` of a ``way`` by units with ``appliance``, else with one like it, else by all."""
+        if appliance in evidence.appliances:
+            return Attested(way, Nearness.FOOD, evidence.appliances[appliance])
+        own = self.known.utensil(appliance)
+        for name in sorted(evidence.appliances):
+            other = self.known.utensil(name)
+            if own is not None and other is not None and own.works_like(other):
+                return Attested(way, Nearness.KIND, evidence.appliances[name])
+        return Attested(way, Nearness.MOTION, evidence.all)
 
     def _first_kind(self, evidence: Evidence, foods: Sequence[str]) -> str | None:
         kinds = (self.known.foods.find(food)[0] for food in foods)
@@ -379,9 +396,4 @@ def _tools_of(inputs: Iterable[NodeReading]) -> tuple[str, ...]:
 
 
 def _foods(saids: Iterable[NodeReading]) -> set[str]:
-    found: set[str] = set()
-    for said in saids:
-        found |= said.names
-        if said.is_food:
-            found.add(said.label)
-    return found
+    return {name for said in saids for name in (said.names | {said.label} if said.is_food else said.names)}

@@ -2,7 +2,8 @@
 
 Everything that operators are done to is a *matter*, called as
 :class:`~foon_kg.integration.teaching.operators.Operators` calls it: a food by its name, a kind of food as ``kind:…``, a
-form as ``form:…``. Whatever an operator is done to, it is done to ``ANYTHING``.
+form as ``form:…``, an appliance that takes part as ``appliance:…``. Whatever an operator is done to, it is done to
+``ANYTHING``.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from foon_kg.model import FunctionalUnit, KnownUnit, Sighting, content_key
 from foon_kg.store.snapshot import in_plain_order
 
 ANYTHING = "any:thing"
-KIND, FORM = "kind:", "form:"
+KIND, FORM, APPLIANCE = "kind:", "form:", "appliance:"
 
 _SOMEWHERE = (Sighting("", 0),)
 
@@ -34,7 +35,6 @@ class Lifted:
     gives: Mapping[str, int]
     brings: Mapping[tuple[str, str], int]
     places: Mapping[str, int]
-    appliances: Mapping[str, int]
     states: frozenset[tuple[str, str]]
 
     @property
@@ -61,13 +61,13 @@ def lifted(unit: FunctionalUnit) -> Lifted:
         {state: ways[way] for state, ways in alone.giving.items()},
         {place: ways[way] for place, ways in alone.bringing.items() if ways},
         dict(alone.onto[way]),
-        dict(seen.appliances),
         frozenset((name, state) for name, states in alone.states.items() for state in states),
     )
 
 
 def _matters(evidence: Evidence) -> frozenset[str]:
-    return frozenset((*evidence.foods, *(f"{KIND}{kind}" for kind in evidence.kinds)))
+    kinds = (f"{KIND}{kind}" for kind in evidence.kinds)
+    return frozenset((*evidence.foods, *kinds, *(f"{APPLIANCE}{name}" for name in evidence.appliances)))
 
 
 Names = TypeVar("Names", tuple[str, str], tuple[str, str, str])
@@ -82,7 +82,6 @@ class Tally:
     gives: Counter[tuple[str, str]] = field(default_factory=Counter)
     brings: Counter[tuple[str, str, str]] = field(default_factory=Counter)
     places: Counter[tuple[str, str]] = field(default_factory=Counter)
-    appliances: Counter[tuple[str, str]] = field(default_factory=Counter)
     states: Counter[tuple[str, str]] = field(default_factory=Counter)
 
     def count(self, units: Iterable[Lifted], weight: int = 1) -> None:
@@ -98,8 +97,6 @@ class Tally:
                 self.brings[key, matter, role] += weight * number
             for place, number in unit.places.items():
                 self.places[key, place] += weight * number
-            for appliance, number in unit.appliances.items():
-                self.appliances[key, appliance] += weight * number
 
     def rows(self) -> dict[str, list[dict[str, Any]]]:
         """Return the parameters of ``cypher/count_operators.cypher``; what is done to what apart."""
@@ -112,7 +109,6 @@ class Tally:
             "gives": _rows(self.gives, "operator", "state"),
             "brings": _rows(self.brings, "operator", "matter", "role"),
             "places": _rows(self.places, "operator", "utensil"),
-            "appliances": _rows(self.appliances, "operator", "utensil"),
             "states": _rows(self.states, "matter", "state"),
         }
 
@@ -133,8 +129,8 @@ def _rows(counter: Mapping[Names, int], *names: str) -> list[dict[str, Any]]:
 
 
 def is_food(matter: str) -> bool:
-    """Say whether a matter is a food, and not a kind or form of food or anything at all."""
-    return not matter.startswith((KIND, FORM)) and matter != ANYTHING
+    """Say whether a matter is a food, and not a kind or form of food, an appliance or anything at all."""
+    return not matter.startswith((KIND, FORM, APPLIANCE)) and matter != ANYTHING
 
 
 def matter_rows(matters: Iterable[str]) -> dict[str, list[Any]]:
@@ -145,5 +141,6 @@ def matter_rows(matters: Iterable[str]) -> dict[str, list[Any]]:
         "foods": [{"name": name, "kind": tables().foods.find(name)[0]} for name in foods],
         "kinds": [name for name in names if name.startswith(KIND)],
         "forms": [name for name in names if name.startswith(FORM)],
+        "appliances": [name for name in names if name.startswith(APPLIANCE)],
         "anything": [name for name in names if name == ANYTHING],
     }

@@ -58,14 +58,14 @@ class MethodsCommonRow(Row):
     """What of the methods matters to every question, in no order. Operators go by their numbers in the store.
 
     ``operators``: number, motion, tools, and evidence for anything. ``usual``: the foods that each is most often done
-    to, and most often changes.
+    to, and most often changes. ``appliances``: those with which each is done.
     """
 
     operators: list[tuple[int, str, list[str], EvidenceValue]]
     usual: list[tuple[int, str, EvidenceValue]]
     gives: list[tuple[int, str, int]]
     places: list[tuple[int, str, int]]
-    appliances: list[tuple[int, str, int]]
+    appliances: list[tuple[int, str, EvidenceValue]]
     brings: list[tuple[int, str, str, int]]
     states: list[tuple[str, list[str]]]
     posts: list[PostCount]
@@ -96,7 +96,7 @@ class FramesReadRow(Row):
 
 
 class MethodsRow(Row):
-    """What was learnt of a FOON, in no order. The first seven columns have a value for each operator.
+    """What was learnt of a FOON, in no order. The first five columns have a value for each operator.
 
     Of ``brings`` matter, role and count; of ``posts`` kind, dish type, the three parts of the post, and count.
     """
@@ -106,7 +106,6 @@ class MethodsRow(Row):
     gives: list[Counted]
     brings: list[list[tuple[str, str, int]]]
     places: list[Counted]
-    appliances: list[Counted]
     states: list[tuple[str, list[str]]]
     posts: list[PostCount]
     beside: list[tuple[str, str, int]]

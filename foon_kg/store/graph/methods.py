@@ -17,7 +17,7 @@ from foon_kg.integration.teaching.operators import Evidence, Operators, Way
 from foon_kg.model import Goal, Sighting
 from foon_kg.model.recent import Recent
 from foon_kg.store.graph.frame_rows import frame_of
-from foon_kg.store.graph.lifting import ANYTHING, KIND
+from foon_kg.store.graph.lifting import ANYTHING, APPLIANCE, KIND
 from foon_kg.store.graph.method_rows import (
     EvidenceValue,
     FrameReadValue,
@@ -62,13 +62,12 @@ def operators_of(row: MethodsRow) -> Operators:
 
 
 def _attest_all(found: Operators, ways: Sequence[Way], row: MethodsRow) -> None:
-    """Give the operators their evidence: what each of the ``ways`` is done to, where that is seen, and with what."""
+    """Give the operators their evidence: what each of the ``ways`` is done to and with, and where that is seen."""
     sightings = _Sightings()
     sightings.read(value for rows in row.evidence for _, value in rows)
-    for way, evidence, appliances in zip(ways, row.evidence, row.appliances, strict=True):
+    for way, evidence in zip(ways, row.evidence, strict=True):
         for matter, value in evidence:
             sightings.attest(found, way, matter, value)
-        found.evidence[way].appliances.update(dict(appliances))
         found.foods |= found.evidence[way].foods.keys()
 
 
@@ -97,6 +96,8 @@ def _attest(evidence: Evidence, matter: str, units: int, seen: list[Sighting]) -
         evidence.count, evidence.all = units, seen
     elif matter.startswith(KIND):
         evidence.kinds[matter.removeprefix(KIND)] = seen
+    elif matter.startswith(APPLIANCE):
+        evidence.appliances[matter.removeprefix(APPLIANCE)] = seen
     else:
         evidence.often[matter] = units
         evidence.foods[matter] = seen
@@ -184,7 +185,7 @@ class CommonMethods:
         self._ways: dict[int, Way] = {number: (motion, tuple(tools)) for number, motion, tools, _ in row.operators}
         self._sightings = _Sightings()
         self._sightings.read(value for *_, value in row.operators)
-        self._sightings.read(value for *_, value in row.usual)
+        self._sightings.read(value for *_, value in (*row.usual, *row.appliances))
 
     @cached_property
     def posts(self) -> Posts:
@@ -197,10 +198,8 @@ class CommonMethods:
         found = Operators((), tables())
         for number, _, _, value in self._row.operators:
             self._sightings.attest(found, self._ways[number], ANYTHING, value)
-        for number, food, value in self._row.usual:
-            self._sightings.attest(found, self._ways[number], food, value)
-        for number, appliance, count in self._row.appliances:
-            found.evidence[self._ways[number]].appliances[appliance] = count
+        for number, matter, value in (*self._row.usual, *self._row.appliances):
+            self._sightings.attest(found, self._ways[number], matter, value)
         found.foods.update(*(evidence.foods for evidence in found.evidence.values()))
         for number, state, count in self._row.gives:
             found.giving[state][self._ways[number]] = count

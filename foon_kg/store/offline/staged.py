@@ -139,11 +139,16 @@ class Staged(StagedRecipes):
             [(row["units"], row["several"], row["motion"]) for row in rows],
         )
 
-    def load_matters(self, foods: Rows, kinds: Sequence[str], forms: Sequence[str], anything: Sequence[str]) -> None:
-        """Make what operators are done to, where it is not there: ``foods``, ``kinds``, ``forms``, ``anything``."""
+    def load_matters(self, foods: Rows, kinds: Sequence[str], forms: Sequence[str], appliances: Sequence[str],
+                     anything: Sequence[str]) -> None:  # fmt: skip
+        """Make what operators are done to, where it is not there.
+
+        That are ``foods``, ``kinds`` and ``forms`` of food, ``appliances``, and ``anything``.
+        """
         rows: list[tuple[str, str | None, str | None]] = [(row["name"], row["kind"], "Food") for row in foods]
         rows += [(name, None, "Kind") for name in kinds]
         rows += [(name, None, "Form") for name in forms]
+        rows += [(name, None, "Appliance") for name in appliances]
         rows += [(name, None, None) for name in anything]
         self.database.executemany('INSERT OR IGNORE INTO Matter (name, kind, "_label") VALUES (?, ?, ?)', rows)
 
@@ -209,12 +214,11 @@ class Staged(StagedRecipes):
     def usual_foods(self, rows: Rows) -> None:
         """Leave ``rows`` to :meth:`finish`: what is most often done to what is known at the end."""
 
-    def count_operators(self, *, operators: Rows, gives: Rows, brings: Rows, places: Rows, appliances: Rows,
-                        states: Rows) -> None:  # fmt: skip
+    def count_operators(self, *, operators: Rows, gives: Rows, brings: Rows, places: Rows, states: Rows) -> None:
         """Add to the counts of ``operators``, and of the ``states`` in which matters are.
 
-        ``gives``, ``brings``, ``places`` and ``appliances`` are rows with a count each: which state an operator gives,
-        what it brings along, where it is done and with which appliance.
+        ``gives``, ``brings`` and ``places`` are rows with a count each: which state an operator gives, what it brings
+        along, and where it is done.
         """
         self.database.executemany(
             "UPDATE Operator SET count = count + ? WHERE key = ?",
@@ -223,7 +227,6 @@ class Staged(StagedRecipes):
         self.count("Operator_GIVES_State", gives, "operator", "state")
         self.count("Operator_BRINGS_Matter", brings, "operator", "matter", "role")
         self.count("Operator_DONE_IN_Utensil", places, "operator", "utensil")
-        self.count("Operator_WORKS_WITH_Utensil", appliances, "operator", "utensil")
         self.count("Matter_FOUND_AS_State", states, "matter", "state")
 
     def count_joins(self, posts: Rows, beside: Rows, cooked: Rows) -> None:

@@ -135,7 +135,6 @@ FOON_EDGES = (
     Edges("GIVES", "Operator", "State", ("count:long",)),
     Edges("BRINGS", "Operator", "Matter", ("out_of:string", "count:long"), unique=(START, END, "out_of")),
     Edges("DONE_IN", "Operator", "Utensil", ("count:long",)),
-    Edges("WORKS_WITH", "Operator", "Utensil", ("count:long",)),
     Edges("FOUND_AS", "Matter", "State", ("count:long",)),
     Edges("JOINS_AT", "Matter", "Post", ("dish_type:string", "count:long"), unique=(START, END, "dish_type")),
     Edges("JOINS_BESIDE", "Matter", "Matter", ("count:long",)),
