@@ -98,6 +98,7 @@ def text(
     They are read by spaCy's parser (pip install 'foon-kg[text]'), with the ingredients where lines list them (below a
     heading, or at the top, each with its amount). Each action becomes units as those of a narrated
     video do: look at a draft with foon draft review, change it in any editor, load it with foon draft accept.
+    Where a draft has no unit that is said, and the command fails (exit 1) when all are written.
     """
     from foon_kg.foon import Foon
 
@@ -105,7 +106,11 @@ def text(
     say = sayer(quiet=quiet)
     narrations = [Foon.narration(path, say=say) for path in paths]
     free = list(_with_free_names(narrations, output, force=force))  # all, before the first is drafted
-    _write(_drafts(free, files, say, dish), output, as_json=as_json)
+    empty = _write(_drafts(free, files, say, dish), output, as_json=as_json)
+    for path in empty:
+        say(f"{path}: no unit, so that there is nothing to load: none of its words was understood as a step.")
+    if empty:
+        raise typer.Exit(1)
 
 
 @app.command(epilog=examples("foon draft accept drafts/P01_01.csv", "foon draft accept drafts/P01_01.csv --anyway"))
@@ -203,19 +208,22 @@ def _drafts(
         yield from foon.drafts(narrations, dish, tell_odd=tell_odd)
 
 
-def _write(drafts: Iterable[Draft], folder: Path, *, as_json: bool) -> None:
-    """Write each draft into ``folder``, and say how sure it is."""
+def _write(drafts: Iterable[Draft], folder: Path, *, as_json: bool) -> list[Path]:
+    """Write each draft into ``folder``, say how many units it has, and return the files of those that have none."""
     from foon_kg.loaders.draft_tables import write_draft
 
-    counts = []
+    counts, empty = [], []
     for draft in drafts:
         path = _file_of(draft.name, folder)
+        if not draft.units:
+            empty.append(path)
         write_file(path, write_draft(draft), "Another --output.")
         counts.append({"file": str(path), "units": len(draft.units), "left_out": len(draft.left_out)})
         if not as_json:
             typer.echo(f"{path}: {len(draft.units)} units, {len(draft.left_out)} narrations left out")
     if as_json:
         print_json(counts)
+    return empty
 
 
 def _with_free_names(narrations: Iterable[Narration], folder: Path, *, force: bool) -> Iterator[Narration]:

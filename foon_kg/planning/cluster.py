@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
@@ -20,6 +21,9 @@ A = TypeVar("A")
 
 PATIENCE = 10
 """How many seconds a scheduler has to answer."""
+
+_USUAL_PORT = 8786
+"""Where a scheduler listens whose address names no port."""
 
 _LEAST_THREADS = 8
 """Work is ready for so many at least: workers may still join."""
@@ -52,6 +56,7 @@ def _connected(address: str) -> Iterator[Client]:
     except ImportError as error:
         raise UsageError("this needs Dask, which is not installed", hint="pip install 'foon-kg[cluster]'") from error
     try:
+        _knock(address)
         client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:
         raise UsageError(
@@ -60,6 +65,18 @@ def _connected(address: str) -> Iterator[Client]:
         ) from error
     with client:
         yield client
+
+
+def _knock(address: str) -> None:
+    """Raise OSError where nothing listens at ``address``, and ValueError where it is none.
+
+    Dask's own client asks again for as long as its patience lasts, and takes as long to give up once more.
+    """
+    from distributed.comm.addressing import parse_address, parse_host_port  # noqa: PLC0415 - an extra
+
+    protocol, place = parse_address(address)
+    if protocol in {"tcp", "tls"}:
+        socket.create_connection(parse_host_port(place, _USUAL_PORT), timeout=PATIENCE).close()
 
 
 def _check(client: Client, address: str) -> None:

@@ -24,6 +24,7 @@ from foon_kg.model.json_text import json_value
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.model.regular_files import read_text
+from foon_kg.planning.several_asked import each_food, read_each
 from foon_kg.plans.kitchen import Kitchen
 
 NO_FOOD, NO_STATE = "no food is called", "no state is called"
@@ -252,9 +253,9 @@ def as_spelled(text: str) -> str | None:
 def names_in(texts: Iterable[str]) -> tuple[str, ...]:
     """Return all that :meth:`IngredientWords.read` may take for the name of a food in ``texts``."""
     names: dict[str, None] = {}
-    for text in texts:
-        words = text.replace(",", " ").split()
-        names |= dict.fromkeys([text.partition(",")[0].strip(), *(" ".join(words[n:]) for n in range(len(words)))])
+    for text in (one for several in texts for one in each_food(several)):
+        for words in (text.partition(",")[0].split(), text.replace(",", " ").split()):
+            names |= dict.fromkeys(" ".join(words[n:]) for n in range(len(words)))
     return tuple(names)
 
 
@@ -264,7 +265,7 @@ def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords, titl
     ``words`` are those by which the FOON knows its foods. Raises :class:`~foon_kg.model.errors.UsageError` where no
     food of it is known.
     """
-    read = [words.read(text) for text in texts]
+    read = [one for text in texts for one in read_each(text, words.read)]
     if read and not any(words.knows(wanted.object) for wanted, _ in read):
         told = _unknown_foods(note for _, notes in read for note in notes)
         raise UsageError(f"nothing is known of what is asked. {told}", hint="Check the spelling.", code="unknown-food")
@@ -350,9 +351,9 @@ def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
         if not one.object:
             notes.append(f"{where}: {'the line' if line else '“object”'} is empty; the ingredient is left out")
             continue
-        stated, said = words.read(one.object) if line else words.with_state(one)
-        wanted.append(stated)
-        notes += [f"{where}: {note}" for note in said]
+        found = read_each(one.object, words.read) if line else [words.with_state(one)]
+        wanted += [stated for stated, _ in found]
+        notes += [f"{where}: {note}" for _, said in found for note in said]
     dish_type = fields.text("dish_type" if "dish_type" in fields and "type" not in fields else "type")
     recipe_id = fields.optional_text("id") or path.stem
     return ReadRecipe(Recipe(dish_type, tuple(wanted), recipe_id, fields.optional_text("title")), tuple(notes))

@@ -139,6 +139,15 @@ def test_nothing_to_draft_is_told(tmp_path, foon_folder):
     assert "bad.json:1: not JSON" in output.replace("\n", "")
 
 
+def test_a_text_that_nothing_was_understood_of_fails(tmp_path, foon_folder):
+    (tmp_path / "table.txt").write_text("start,stop,verb\n00:01,00:02,nothing\n")
+    (tmp_path / "soup.txt").write_text("Chop the onion.\n")
+    asked = ("draft", "text", tmp_path / "table.txt", tmp_path / "soup.txt", "--files", foon_folder)
+    output = foon(*asked, "-o", tmp_path / "drafts", code=1).output.replace("\n", "")
+    assert output.count("no unit, so that there is nothing to load") == 1
+    assert read_draft(tmp_path / "drafts" / "soup.csv").subgraph is not None
+
+
 @pytest.fixture
 def graph(empty_graph, monkeypatch):
     for name in ("uri", "user", "password", "database"):

@@ -1,0 +1,79 @@
+"""Words that ask for several foods at once: "chopped onion and 2 tomatoes", "salt, pepper and oil"."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from foon_kg.food import singular, tables
+from foon_kg.food.lists import word_list
+from foon_kg.food.words import without_part
+from foon_kg.model import RequiredIngredient
+
+_AND = re.compile(r"\s+(?:and|&)\s+", re.IGNORECASE)
+_AND_OR_COMMA = re.compile(rf"\s*,\s*(?:and\s+|&\s+)?|{_AND.pattern}", re.IGNORECASE)
+
+Read = Callable[[str], tuple[RequiredIngredient, tuple[str, ...]]]
+"""What reads the words for one food: it returns what they ask for, with notes."""
+
+
+def each_food(text: str) -> tuple[str, ...]:
+    """Return the words for each food that ``text`` asks for: all of it, where it names one.
+
+    The parts around "and" are several foods where each ends with one that the tables list and has no other in
+    front of it; what has a name with "and" of its own is one.
+
+    >>> each_food("400 g chopped onion and 2 tomatoes, diced"), each_food("salt and pepper")
+    (('400 g chopped onion', '2 tomatoes, diced'), ('salt', 'pepper'))
+    >>> each_food("salt, pepper and olive oil")
+    ('salt', 'pepper', 'olive oil')
+    >>> each_food("1 cup half and half"), each_food("onion, peeled and chopped"), each_food("salt and pepper crackers")
+    (('1 cup half and half',), ('onion, peeled and chopped',), ('salt and pepper crackers',))
+    """
+    if _AND.search(text) is None or _has_a_name_with_and(text):
+        return (text,)
+    for between in (_AND_OR_COMMA, _AND):
+        parts = tuple(part.strip() for part in between.split(text) if part.strip())
+        if len(parts) > 1 and all(map(_names_one, parts)):
+            return parts
+    return (text,)
+
+
+def read_each(text: str, read: Read) -> list[tuple[RequiredIngredient, tuple[str, ...]]]:
+    """Return what ``text`` asks for, food by food, each with the notes of ``read``; that they are several is noted.
+
+    What ``text`` says they are for ("to serve") holds for all of them. Raises what ``read`` raises.
+    """
+    plain, part = without_part(text)
+    parts = each_food(plain)
+    if len(parts) == 1:
+        return [read(text)]
+    found = [read(one) for one in parts]
+    told = f"“{text}” is read as {len(parts)} foods: {'; '.join(parts)}"
+    return [
+        (replace(wanted, part=wanted.part or part), notes if place else (told, *notes))
+        for place, (wanted, notes) in enumerate(found)
+    ]
+
+
+def _has_a_name_with_and(text: str) -> bool:
+    """Return whether words on both sides of an "and" are together the name of a food."""
+    words = text.replace(",", " , ").split()
+    return any(_is_listed(words[start:end]) for end in range(len(words) + 1) for start in range(end - 2))
+
+
+def _is_listed(words: Sequence[str]) -> bool:
+    name = singular(" ".join(words).replace("&", "and"))  # which has no signs and no numbers any more
+    is_one = tables().foods.is_listed(name) and name not in word_list("names several foods")
+    return is_one and _AND.search(name) is not None
+
+
+def _names_one(part: str) -> bool:
+    """Return whether the words before a comma end with a listed food, or its piece, and name no other before it."""
+    words = part.partition(",")[0].split()
+    if len(words) > 1 and singular(words[-1]) in word_list("is only a piece of it"):
+        words.pop()
+    is_listed = tables().foods.is_listed
+    begin = next((place for place in range(len(words)) if is_listed(" ".join(words[place:]))), None)
+    return begin is not None and not any(map(is_listed, words[:begin]))
