@@ -60,7 +60,7 @@ COMMANDS = (
     Command(("load", "foon", str(DEMO)), 64, 260, HEAVY | {"numpy"}, again=True),
     Command(("similar", "caper"), 65, 355, HEAVY),
     Command(("plan", "--dish", "salad", "chopped onion"), 270, 355, HEAVY),
-    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 270, 241, HEAVY | {"neo4j", "psutil"}),
+    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 271, 241, HEAVY | {"neo4j", "psutil"}),
 )
 
 
