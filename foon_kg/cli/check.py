@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
     from foon_kg.foon import Foon
     from foon_kg.model import Recipe
-    from foon_kg.model.json_fields import JsonObject
     from foon_kg.model.tree import TaskTree
     from foon_kg.plans.kitchen import Kitchen
     from foon_kg.validation import Finding, KnownFoon, Report
@@ -146,7 +145,10 @@ def _too_few(tree: TaskTree, kitchen: Kitchen) -> Iterator[Finding]:
 
 
 def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report]) -> Iterator[Report]:
-    """Add what C9 says of several trees for one recipe: each is compared with the first."""
+    """Yield the reports in their order, with what C9 says of several trees for one recipe: the first is the measure.
+
+    That they were asked with the same wishes is assumed, since a tree does not tell them.
+    """
     from foon_kg.validation import repeatable
 
     first: dict[str, object] = {}
@@ -154,7 +156,11 @@ def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report
         if not isinstance(document.value, dict):
             yield report
             continue
-        question = json.dumps([document.value.get(asked) for asked in ("recipe", "asked")], sort_keys=True)
+        asked = [document.value.get(field) for field in ("recipe", "asked")]
+        if not any(asked):  # whatever it answers, no other tree is known to answer the same
+            yield report
+            continue
+        question = json.dumps(asked, sort_keys=True)
         earlier = first.get(question)
         if earlier is None:
             first[question] = document.value
@@ -167,15 +173,9 @@ def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report
 
 def _show(tree: TaskTree, report: Report, *, as_json: bool) -> None:
     if as_json:
-        print_json(_json(tree, report))
+        print_json(report.to_json())
     else:
         typer.echo("\n".join(report.lines(_verdict(tree, report))))
-
-
-def _json(tree: TaskTree, report: Report) -> JsonObject:
-    value = report.to_json()
-    # no rule is asked of a tree that is not there, so none objects to it; nobody can accept it all the same
-    return value if tree.error is None else value | dict.fromkeys(("accepted", "robot", "cook", "form"), False)
 
 
 def _verdict(tree: TaskTree, report: Report) -> str:

@@ -168,6 +168,11 @@ class Sayer:
         return counting(text, after=0)
 
 
+def where_said(*, quiet: bool) -> str:
+    """Return the hint of an error of which the lines before it say what is wrong, unless ``quiet`` kept them back."""
+    return "Without --quiet each line that is wrong is told." if quiet else "The lines above say what is wrong."
+
+
 def sayer(*, quiet: bool) -> Sayer:
     """Return what prints a line to stderr, or where it shall be ``quiet``, keeps it to itself."""
     return Sayer(quiet)

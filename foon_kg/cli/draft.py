@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli import draft_recipes, draft_review
-from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer, where_said
 from foon_kg.cli.dish_types import check_dish_types
 from foon_kg.cli.groups import CommandGroup
 from foon_kg.model.errors import UsageError
@@ -72,7 +72,7 @@ def videos(
     narrations = chain.from_iterable(file.narrations for file in found)  # one video after another, never all at once
     first = next(narrations, None)
     if first is None:
-        raise UsageError("there is nothing to draft", hint="The lines above say what is wrong with the files.")
+        raise UsageError("there is nothing to draft", hint=where_said(quiet=quiet))
     failed: list[str] = []
     free = _with_free_names(chain([first], narrations), output, force=force)
     _write(_drafts(free, files, say, failed=failed), output, as_json=as_json)

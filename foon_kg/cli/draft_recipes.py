@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.blocks import adding, form_of, whole_blocks
-from foon_kg.cli.console import Files, Json, Quiet, Say, examples, json_line, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, json_line, print_json, sayer, where_said
 from foon_kg.cli.runs import progress_bar
 from foon_kg.model.errors import UsageError
 
@@ -91,7 +91,7 @@ def _drafted(
     with RecipeCollections(paths, lambda notice: say(str(notice))) as collections:
         total = collections.check()
         if not total:
-            raise UsageError("there is no recipe to draft", hint="The lines above say what is wrong with the files.")
+            raise UsageError("there is no recipe to draft", hint=where_said(quiet=quiet))
         size, tally = _done(output, collections, total)
         if tally.recipes:
             say(f"{output} has {tally.recipes} of {total} drafts already")

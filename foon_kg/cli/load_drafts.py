@@ -29,7 +29,9 @@ def drafts(
 
     Nobody has watched or reviewed them: they change no answer but those that ask for them (foon plan --with-drafts).
     Drafts that make no dish of a known type are left out. Loading one again changes nothing; with other content it
-    replaces what was there. foon remove draft:ID takes one out.
+    replaces what was there, and goes where it now makes no such dish. foon remove draft:ID takes one out. As JSON it is
+    told how many were inserted, replaced, unchanged and left out; with --dry-run only how many there are to load and
+    are left out.
     """
     from foon_kg.cli.runs import counting
     from foon_kg.foon import Foon
@@ -37,17 +39,17 @@ def drafts(
 
     counts = {"drafts": 0, "left_out": 0}
     with counting("Reading drafts", quiet=quiet) as advance:
-        for drafted in read_drafted(paths):  # to its end first: a file that is broken loads nothing
-            counts["drafts"] += 1
-            counts["left_out"] += lesson_of(drafted) is None
+        # to its end first, so that a file that is broken loads nothing; and again below, for it may be more than memory
+        for drafted in read_drafted(paths):
+            counts["left_out" if lesson_of(drafted) is None else "drafts"] += 1
             advance(1)
-    if not counts["drafts"]:
+    if not any(counts.values()):
         named = ", ".join(map(str, paths))
         raise UsageError(f"there is no draft in {named}", hint="foon draft recipes PATH --output FILE writes them.")
     if not dry_run:
         with (
             Foon.connect(say=sayer(quiet=quiet)) as foon,
-            counting("Loading drafts", counts["drafts"], quiet=quiet) as advance,
+            counting("Loading drafts", sum(counts.values()), quiet=quiet) as advance,
         ):
             stored = foon.store_drafts(read_drafted(paths), stored=lambda report: advance(len(report)))
         counts = asdict(stored)

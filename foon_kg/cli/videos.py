@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, examples, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, examples, print_json, sayer, where_said
 from foon_kg.cli.streams import data
 from foon_kg.model.errors import ReadError, UsageError
 
@@ -36,7 +36,7 @@ def diff(
     """Show what loading files would change in the FOON.
 
     Units that are new, known from other videos, as before, or gone; and objects never seen before. Words that no table
-    has, and what looks misspelled, are told by line, with what may be meant. Changes nothing.
+    has are told with what may be meant, a few by line and more in short, and so are rejected units. Changes nothing.
     """
     from foon_kg.cli.files_read import odd_words
     from foon_kg.cli.knowledge import front_door
@@ -46,12 +46,13 @@ def diff(
 
     say = sayer(quiet=quiet)
     results = list(read_videos(paths))
-    for notice in (notice for result in results for notice in result.notices):
-        if notice.severity is Severity.REJECTED:
-            say(str(notice))
+    for result in results:
+        for notice in result.notices:
+            if notice.severity is Severity.REJECTED:
+                say(str(notice))
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     if not subgraphs:
-        raise ReadError(f"no video in {', '.join(map(str, paths))}", hint="The lines above say what is wrong with it.")
+        raise ReadError(f"no video in {', '.join(map(str, paths))}", hint=where_said(quiet=quiet))
     with front_door(files, say) as foon:
         tell_unknown(odd_words(results, foon.foods()), None, say)
         found = foon.differences(subgraphs)
@@ -71,7 +72,8 @@ def remove(
 ) -> None:
     """Take videos out of the FOON, or drafts of recipes.
 
-    With videos go the units that no other video shows. All of the named ones are taken out, or none.
+    With videos go the units that no other video shows. All of the named ones are taken out, or none. As JSON: an array
+    with what changed of each video; of drafts an object that says how many.
     """
     from foon_kg.cli.knowledge import front_door
     from foon_kg.cli.loading import show_counts
@@ -79,16 +81,22 @@ def remove(
 
     chosen = list(dict.fromkeys(names))
     drafts = [name for name in chosen if is_draft(name)]
-    videos = [name for name in chosen if name not in drafts]
-    if drafts and videos:
-        raise UsageError("these are videos and drafts", hint="Remove drafts by a command of their own.")
+    videos = [name for name in chosen if not is_draft(name)]
+    if drafts and (videos or units):
+        _refuse_beside_drafts(videos)
     with front_door(None, sayer(quiet=quiet)) as foon:
         if drafts:
             foon.remove_drafts(drafts, dry_run=dry_run)
-            show_counts({"drafts_gone": len(drafts)}, as_json=as_json)
+            show_counts({"drafts_to_go" if dry_run else "drafts_gone": len(drafts)}, as_json=as_json)
             return
         found = foon.remove(videos, dry_run=dry_run)
     _show(found, units=units, as_json=as_json)
+
+
+def _refuse_beside_drafts(videos: Sequence[str]) -> NoReturn:
+    """Raise UsageError: beside drafts no ``videos`` can be named, nor units be asked for."""
+    what = "videos and drafts cannot be removed together" if videos else "the units of drafts are not shown here"
+    raise UsageError(what, hint="Name drafts alone, without --units.")
 
 
 def _show(found: Sequence[VideoDifference], *, units: bool, as_json: bool) -> None:

@@ -1,6 +1,7 @@
 """What a reading gives: which shares readers and judge accept, how far they agree, and where they differ.
 
-Recorded videos are counted apart from planned trees throughout: people made them, no program did.
+Recorded videos are counted apart from planned trees throughout: people made them, no program did. Intervals are
+Wilson's at 95 % (1927), kappas Cohen's (1960).
 """
 
 from __future__ import annotations
@@ -21,13 +22,22 @@ ALL_READERS = "all readers"
 """Accepts in a role what every reader accepts in it, and accepts a tree that every reader accepts in both."""
 
 PLANNED, RECORDED = "planned", "recorded"
+"""The kinds of trees."""
+
 OVERALL = "all"
+"""Stands for all dish types together."""
+
 ASPECTS = ("robot", "cook", "accepted")
+"""What is compared of two verdicts."""
 
 
 @dataclass(frozen=True)
 class Shares:
-    """Which shares of ``trees`` one rater accepts; ``plain`` is a cook's yes without a but, ``None`` for the judge."""
+    """Which shares (0 to 1, with their intervals) of so many ``trees`` of a ``kind`` and ``dish_type`` a rater accepts.
+
+    ``dish_type`` is :data:`OVERALL` for all of them; ``rater`` is ``reader 1`` and so on, :data:`ALL_READERS` or
+    :data:`JUDGE`. ``plain`` is a cook's yes without a but, ``None`` for the judge.
+    """
 
     kind: str
     dish_type: str
@@ -47,7 +57,11 @@ class Shares:
 
 @dataclass(frozen=True)
 class Agreed:
-    """How far two raters agree on one aspect; ``kappa`` is Cohen's, ``None`` where both said one and the same."""
+    """How far two ``raters`` agree on one of :data:`ASPECTS`, over the ``trees`` of a ``kind``.
+
+    ``same`` is the share (0 to 1) of trees of which both say the same; ``kappa`` is Cohen's, ``None`` where one of them
+    says the same of all.
+    """
 
     kind: str
     aspect: str
@@ -72,7 +86,10 @@ class Agreed:
 
 @dataclass(frozen=True)
 class Differing:
-    """A tree on which the judge and a reader differ, in one of the aspects, with what each says of it."""
+    """A tree on which the judge and a reader differ, in which ``aspects``, and what each rater says of it.
+
+    ``number`` is that on the readers' sheets, from 1, and ``name`` the tree's ``id`` in JSON.
+    """
 
     number: int
     name: str
@@ -93,7 +110,7 @@ class Differing:
 
 @dataclass(frozen=True)
 class Reading:
-    """All figures of one reading."""
+    """All figures of one reading; ``differing`` has no tree where no judge was asked."""
 
     shares: tuple[Shares, ...]
     agreements: tuple[Agreed, ...]
@@ -111,7 +128,7 @@ class Reading:
 def judged(report: Report) -> Verdict:
     """Return what the judge says in its ``report``, in a reader's form.
 
-    Its words are the rules broken, the fatal ones first.
+    Its words are the rules that are broken fatally, then how many minor findings there are, and of which rules.
     """
     minor = [finding.rule for finding in report.findings if finding.minor]
     rules = dict.fromkeys(minor)
@@ -130,7 +147,7 @@ def compare(trees: Sequence[ReadingTree], readers: Sequence[Sheet], judge: Sheet
     said = {f"reader {number}": sheet for number, sheet in enumerate(readers, start=1)}
     raters = said if judge is None else {**said, JUDGE: judge}
     rows = [
-        _Row(number, tree, dict(zip(raters, verdicts, strict=True)), _all(verdicts[: len(said)]))
+        _Row(number, tree, dict(zip(raters, verdicts, strict=True)), _all(verdicts[: len(said)]))  # readers come first
         for number, (tree, *verdicts) in enumerate(zip(trees, *raters.values(), strict=True), start=1)
     ]
     return Reading(tuple(_shares(rows)), tuple(_agreements(rows)), tuple(_differing(rows)))
@@ -183,18 +200,25 @@ def _agreements(rows: Sequence[_Row]) -> Iterator[Agreed]:
     for kind, of_kind in _kinds(rows):
         for one, other in combinations(of_kind[0].verdicts, 2):
             for aspect in ASPECTS:
-                pair = [[int(getattr(row.verdicts[rater], aspect)) for row in of_kind] for rater in (one, other)]
-                same = _share(first == second for first, second in zip(*pair, strict=True))
-                yield Agreed(kind, aspect, (one, other), len(of_kind), same, agreement(*pair).kappa)
+                first, second = _said(of_kind, one, aspect), _said(of_kind, other, aspect)
+                same = _share(his == hers for his, hers in zip(first, second, strict=True))
+                yield Agreed(kind, aspect, (one, other), len(of_kind), same, agreement(first, second).kappa)
+
+
+def _said(rows: Iterable[_Row], rater: str, aspect: str) -> list[int]:
+    """Return 1 for each of ``rows`` whose tree the ``rater`` accepts in this ``aspect``, 0 for the others."""
+    return [int(getattr(row.verdicts[rater], aspect)) for row in rows]
 
 
 def _differing(rows: Sequence[_Row]) -> Iterator[Differing]:
     for row in rows:
         judge = row.verdicts.get(JUDGE)
+        if judge is None:
+            return
         aspects = tuple(
             aspect
             for aspect in ASPECTS
-            if judge and any(getattr(one, aspect) != getattr(judge, aspect) for one in row.verdicts.values())
+            if any(getattr(one, aspect) != getattr(judge, aspect) for one in row.verdicts.values())
         )
         if aspects:
             yield Differing(row.number, row.tree.name, row.tree.dish_type, row.tree.recorded, aspects, row.verdicts)

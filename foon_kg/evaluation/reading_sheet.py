@@ -1,4 +1,7 @@
-"""What readers say of trees: one line a tree, ``number | yes or no | yes, or yes, but, or no | faults``."""
+"""What readers say of trees: one line a tree, ``number | robot | cook | faults``.
+
+The robot says ``yes`` or ``no``, the cook ``yes``, ``yes, but`` or ``no``: ``3 | yes | yes, but | the onion is raw``.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,9 @@ from foon_kg.model.errors import ReadError
 
 YES, YES_BUT, NO = "yes", "yes, but", "no"
 
-_HINT = "Write: number | yes or no | yes, or yes, but, or no | the worst faults."
+_HINT = "Write: number | robot | cook | faults, with yes or no for the robot and yes, “yes, but” or no for the cook."
+_MOST_DIGITS = 6
+"""More have no numbers of trees."""
 _COLUMNS = 4
 
 
@@ -42,21 +47,21 @@ Sheet = tuple[Verdict, ...]
 
 
 def write_sheet(sheet: Sheet) -> str:
-    """Return the lines of a sheet."""
+    """Return the lines of a sheet; a cook's yes of which nobody knows whether there is a but is a ``yes``."""
     return "".join(f"{number} | {verdict}\n" for number, verdict in enumerate(sheet, start=1))
 
 
 def read_sheet(path: Path, trees: int) -> Sheet:
     """Return what a reader says, in the file at ``path``, of the trees numbered 1 to ``trees``, in any order.
 
-    Behind a line of dashes, or behind the last tree, a reader may go on in words. Raises ReadError with file and line
-    for any other line that names no tree and verdict, for a number that there is not or that is there twice, and where
-    trees are missing.
+    Behind a line of dashes, or once each tree has a line, a reader may go on in words. Raises ReadError with file and
+    line for any other line that names no tree and verdict, for a number that there is not or that is there twice, and
+    where trees are missing or the file cannot be read.
     """
     found: dict[int, Verdict] = {}
     for where, line in _lines_above_dashes(path):
-        words_behind_the_last_tree = len(found) == trees and not _names_a_tree(line)
-        if words_behind_the_last_tree:
+        goes_on_in_words = len(found) == trees and not _names_a_tree(line)
+        if goes_on_in_words:
             continue
         number, verdict = _entry(line, where)
         if not 1 <= number <= trees:
@@ -73,18 +78,18 @@ def read_sheet(path: Path, trees: int) -> Sheet:
 
 def _lines_above_dashes(path: Path) -> Iterator[tuple[str, str]]:
     """Yield (file:line, text) of each line of the file that is not blank, up to a line of dashes."""
-    for place, line in enumerate(read_text(path).split("\n"), start=1):
+    for line_number, line in enumerate(read_text(path).split("\n"), start=1):
         is_blank = not line.strip()
         is_dashes = not is_blank and not line.strip("-\r\t ")
         if is_dashes:
             return
         if not is_blank:
-            yield f"{path}:{place}", line
+            yield f"{path}:{line_number}", line
 
 
 def _names_a_tree(line: str) -> bool:
     columns = _columns(line)
-    return len(columns) == _COLUMNS and columns[0].isdecimal()
+    return len(columns) == _COLUMNS and columns[0].isdecimal() and len(columns[0]) <= _MOST_DIGITS
 
 
 def _columns(line: str) -> Sequence[str]:
@@ -93,11 +98,11 @@ def _columns(line: str) -> Sequence[str]:
 
 def _entry(line: str, where: str) -> tuple[int, Verdict]:
     if not _names_a_tree(line):
-        raise ReadError(f"{where}: no line of a tree", hint=_HINT)
-    number, robot, cook, words = _columns(line)
-    robot, cook = (" ".join(said.lower().split()) for said in (robot, cook))
+        raise ReadError(f"{where}: this is no line about a tree", hint=_HINT)
+    number, *said, words = _columns(line)
+    robot, cook = (" ".join(one.lower().split()) for one in said)
     if robot not in {YES, NO}:
         raise ReadError(f"{where}: robot says “{robot}”", hint=_HINT)
     if cook not in {YES, YES_BUT, NO}:
         raise ReadError(f"{where}: cook says “{cook}”", hint=_HINT)
-    return int(number), Verdict(robot == YES, cook != NO, cook == YES, words)
+    return int(number), Verdict(robot=robot == YES, cook=cook != NO, plain=cook == YES, words=words)

@@ -279,7 +279,8 @@ class Foon(Evaluating):
         """Return the words in which ``texts`` are read: of a very large FOON no others."""
         if not self.is_larger_than(WHOLE):
             return self.words()
-        from foon_kg.planning.recipes import IngredientWords, names_in
+        from foon_kg.planning.recipes import IngredientWords
+        from foon_kg.planning.several_asked import names_in
         from foon_kg.plans.kitchen import Kitchen
 
         with self.reading() as view:

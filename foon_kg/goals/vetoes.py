@@ -1,6 +1,8 @@
-"""What speaks against making a recipe after a recorded dish, whatever else speaks for it.
+"""What speaks against making a recipe after a recorded dish, before dishes are ranked (algorithm 1).
 
-Each reason is a sentence for people: explanations show it beside the dish that was passed over.
+Each reason is a clause for people: explanations show it beside the dish that was passed over. A dish with fewer
+reasons comes before one with more (:mod:`foon_kg.goals.choice`), however like the latter is; so one with some is taken
+only where there is none without.
 """
 
 from __future__ import annotations
@@ -16,12 +18,15 @@ from foon_kg.integration.joining.spots import Join, Spot
 
 
 def vetoes(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
-    """Yield what a cook would never do: make what is ``asked`` as ``dish`` was made, its foods joined by ``joins``."""
+    """Yield the reasons why nobody would make what is ``asked`` after ``dish``; none where nothing speaks against it.
+
+    ``joins`` say where each of ``asked.foods`` would join, in their order; raises ValueError for another number.
+    """
     yield from _against_heat(dish, joins, asked)
     yield from _against_dressed(dish, joins, asked)
     yield from _against_work(dish, joins, asked)
     for food, join in zip(asked.foods, joins, strict=True):
-        if join.slot is None:
+        if join.slot is None:  # one with a slot was treated so in the video
             yield from _against_company(food, join, dish)
 
 
@@ -29,7 +34,7 @@ def _against_dressed(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Ite
     """Yield that a dish only comes over another one, where several foods are asked that come under one."""
     if asked.dressed and dish.only_poured:
         solid = (join for join in joins if not is_poured_over(join.want, join.slot))
-        if len(list(solid)) > 1:
+        if len(list(solid)) > 1:  # one alone may be what the dressing is named after
             yield f"{dish.label} is only what comes over such a dish"
 
 
@@ -45,19 +50,19 @@ def _against_company(food: AskedFood, join: Join, dish: Recorded) -> Iterator[st
 
 
 def _against_work(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
-    """Yield that a dish kneads or shapes cold what nobody would.
+    """Yield at most one reason: that a dish kneads or shapes cold what nobody would.
 
     None of what it is built on has a place there, or it is raw flesh in pieces that nothing holds together.
     """
     for spot in dish.worked_cold:
         foods = zip(asked.foods, joins, strict=True)
         inside = [(food, join) for food, join in foods if _comes_through(join.spot, spot)]
-        coarse = _coarse(inside, spot)
         if inside and not any(food.carries and join.slot is not None for food, join in inside):
-            yield f"nothing of it is to be {spot.stage.motion}ed"
+            yield f"{dish.label} has the step “{spot.stage.motion}”, and nothing here is for that"
             return
+        coarse = _coarse(inside, spot)
         if coarse:
-            yield f"{coarse} in pieces would be {spot.stage.motion}ed"
+            yield f"{coarse} in pieces would come to the step “{spot.stage.motion}”"
             return
 
 
@@ -107,7 +112,7 @@ def _not_hot(kind: Dish, dish: Recorded, asked: Asked) -> Iterator[str]:
 
 
 def _comes_through(joined: Spot, spot: Spot) -> bool:
-    """Whether what joins at one stage is in the whole at another one."""
+    """Whether what joins at ``joined`` is part of the whole when ``spot`` is done."""
     return joined.stage is spot.stage or any(stage is spot.stage for stage in joined.after)
 
 

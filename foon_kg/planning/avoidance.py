@@ -1,7 +1,7 @@
 """Foods that somebody must not or will not eat: what in a recipe and in a tree is such a food.
 
 Matching is cautious, because an allergy is worse than a bland salad: a name is avoided where its words say so
-(*mixed nuts*), or where WordNet (:mod:`foon_kg.similarity.taxonomy`) or the food groups put it, or a part of its
+(*walnut halves*), or where WordNet (:mod:`foon_kg.similarity.taxonomy`) or the food groups put it, or a part of its
 name, under what is avoided (*walnut oil*). What is left out is always said, with the reason.
 """
 
@@ -21,8 +21,13 @@ from foon_kg.similarity.taxonomy import food_taxonomy
 
 
 def why_avoided(food: str, avoided: Sequence[str]) -> str | None:
-    """Return why ``food`` is one of the ``avoided`` foods or kinds of food; ``None`` where it is not."""
-    return next((reason for name in avoided if (reason := _why(food, name)) is not None), None)
+    """Return why ``food`` is one of the ``avoided`` foods or kinds of food, as a clause; ``None`` where it is not.
+
+    >>> why_avoided("walnut oil", ["nuts"])
+    'walnut belongs to “nuts”'
+    """
+    reasons = (_why(food, name) for name in avoided)
+    return next((reason for reason in reasons if reason is not None), None)
 
 
 def without_avoided(recipe: Recipe, avoided: Sequence[str]) -> tuple[Recipe, tuple[str, ...]]:
@@ -34,7 +39,8 @@ def without_avoided(recipe: Recipe, avoided: Sequence[str]) -> tuple[Recipe, tup
         return recipe, ()
     reasons = {wanted: why_avoided(wanted.object, avoided) for wanted in recipe.ingredients}
     kept = tuple(wanted for wanted in recipe.ingredients if reasons[wanted] is None)
-    notes = tuple(f"“{wanted.object}” is left out: {reason}" for wanted, reason in reasons.items() if reason)
+    left_out = ((wanted, reason) for wanted, reason in reasons.items() if reason is not None)
+    notes = tuple(f"“{wanted.object}” is left out: {reason}" for wanted, reason in left_out)
     if notes and not kept:
         raise UsageError(
             f"nothing is left of the recipe: {'; '.join(notes)}", hint="Avoid less, or add other ingredients."
@@ -53,13 +59,19 @@ def names_avoided(node: ObjectNode, avoided: Sequence[str]) -> bool:
     return any(why_avoided(name, avoided) is not None for name in (node.label, *node.ingredients))
 
 
-@lru_cache(maxsize=1 << 16)
+MOST_REASONS = 1 << 16
+"""For so many names, each with one wish, it is kept why they are avoided."""
+
+
+@lru_cache(maxsize=MOST_REASONS)
 def _why(food: str, avoided: str) -> str | None:
     wanted = words(canonical(avoided))
+    if not wanted:  # no words stand in everything
+        return None
     for part in _parts(canonical(food)):
         if words(part) == wanted:
             return f"“{avoided}” is to be avoided"
-        kind = next((kind for kind in _kinds(part) if _says(words(kind), wanted)), None)
+        kind = next((kind for kind in _kinds(part) if _has_in_turn(words(kind), wanted)), None)
         if kind is not None:
             return f"{part} belongs to “{kind}”"
     return None
@@ -70,6 +82,7 @@ def _parts(name: str) -> Iterator[str]:
     spoken = name.split()
     for length in range(len(spoken), 0, -1):
         for start in range(len(spoken) - length + 1):
+            # a part may be a plural or another name of a food, though the whole is neither
             yield canonical(" ".join(spoken[start : start + length]))
 
 
@@ -78,5 +91,6 @@ def _kinds(name: str) -> tuple[str, ...]:
     return (*food_groups().of(name), *food_taxonomy().kinds(name))
 
 
-def _says(kind: Sequence[str], wanted: Sequence[str]) -> bool:
+def _has_in_turn(kind: Sequence[str], wanted: Sequence[str]) -> bool:
+    """Return whether the words of ``kind`` have those ``wanted`` beside each other."""
     return any(tuple(kind[start : start + len(wanted)]) == tuple(wanted) for start in range(len(kind)))

@@ -22,13 +22,13 @@ from foon_kg.planning.recipes import (
     IngredientWords,
     ReadRecipe,
     foods_named,
-    names_in,
     of_known_type,
     read_recipe,
     recipe_of,
     with_states,
 )
 from foon_kg.planning.settings import PlanSettings, Substitute
+from foon_kg.planning.several_asked import names_in
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanFailure, PlanResult
 

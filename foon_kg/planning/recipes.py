@@ -24,7 +24,7 @@ from foon_kg.model.json_text import json_value
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.model.regular_files import read_text
-from foon_kg.planning.several_asked import each_food, read_each
+from foon_kg.planning.several_asked import read_each
 from foon_kg.plans.kitchen import Kitchen
 
 NO_FOOD, NO_STATE = "no food is called", "no state is called"
@@ -250,15 +250,6 @@ def as_spelled(text: str) -> str | None:
     return spelled(text)
 
 
-def names_in(texts: Iterable[str]) -> tuple[str, ...]:
-    """Return all that :meth:`IngredientWords.read` may take for the name of a food in ``texts``."""
-    names: dict[str, None] = {}
-    for text in (one for several in texts for one in each_food(several)):
-        for words in (text.partition(",")[0].split(), text.replace(",", " ").split()):
-            names |= dict.fromkeys(" ".join(words[n:]) for n in range(len(words)))
-    return tuple(names)
-
-
 def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords, title: str | None = None) -> ReadRecipe:
     """Return the recipe called ``title`` that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``.
 
@@ -343,20 +334,28 @@ def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
     the usual one; both are noted. Raises ReadError with the place.
     """
     fields = Fields(_json(path), str(path))
-    wanted, notes = [], []
+    wanted: list[RequiredIngredient] = []
+    notes: list[str] = []
     for place, value in enumerate(fields.items("ingredients")):
         where = f"{path}: ingredients[{place}]"
-        line = isinstance(value, str)
-        one = RequiredIngredient(value.strip(), "") if isinstance(value, str) else _asked(Fields(value, where))
-        if not one.object:
-            notes.append(f"{where}: {'the line' if line else '“object”'} is empty; the ingredient is left out")
-            continue
-        found = read_each(one.object, words.read) if line else [words.with_state(one)]
-        wanted += [stated for stated, _ in found]
-        notes += [f"{where}: {note}" for _, said in found for note in said]
+        found, said = _read_one(value, where, words)
+        wanted += found
+        notes += (f"{where}: {note}" for note in said)
     dish_type = fields.text("dish_type" if "dish_type" in fields and "type" not in fields else "type")
     recipe_id = fields.optional_text("id") or path.stem
     return ReadRecipe(Recipe(dish_type, tuple(wanted), recipe_id, fields.optional_text("title")), tuple(notes))
+
+
+def _read_one(value: object, where: str, words: IngredientWords) -> tuple[list[RequiredIngredient], list[str]]:
+    """Return what one of a file's ingredients asks for, by ``words``, with the notes on it: nothing, if it is empty."""
+    if not isinstance(value, str):
+        one = _asked(Fields(value, where))
+        read = [words.with_state(one)] if one.object else []
+    else:
+        read = read_each(value.strip(), words.read) if value.strip() else []
+    if not read:
+        return [], [f"{'the line' if isinstance(value, str) else '“object”'} is empty; the ingredient is left out"]
+    return [wanted for wanted, _ in read], [note for _, notes in read for note in notes]
 
 
 def _asked(ingredient: Fields) -> RequiredIngredient:

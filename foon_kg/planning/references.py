@@ -1,4 +1,7 @@
-"""The exact reference tree of a goal for a recipe (algorithm 3), as the search finds it, and kept once it was found."""
+"""The reference tree of a goal for a recipe (algorithm 3): the best one found in the time there is.
+
+It is exact where the search came to its end; only such a tree is kept.
+"""
 
 from __future__ import annotations
 
@@ -12,13 +15,17 @@ from foon_kg.plans.result import ReferenceSummary
 from foon_kg.search import Explored, ReferenceTree, SearchProblem, UnitIndex, retrieve_once
 from foon_kg.search.gaps import ABSENT, gap_cost, mixtures
 
-_NONE = Vocabulary((), (), ())
+_NO_WORDS = Vocabulary((), (), ())
 MOST_TREES = 4096
 """How many reference trees are kept."""
 
 
 class References:
-    """Reference trees from one view; ``units``, all of the FOON, are numbered once for many recipes."""
+    """Reference trees from one view, by the kitchen and the time limit of ``settings``.
+
+    ``units`` are all of the FOON, numbered once for many recipes; without them the view is asked for those behind each
+    goal.
+    """
 
     def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None) -> None:
         self.view = view
@@ -29,22 +36,24 @@ class References:
         self._kept: Recent[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = Recent(MOST_TREES)
 
     def tree(self, goal: Goal, wanted: Mapping[str, int]) -> ReferenceTree:
-        """Return the best tree of ``goal``; ``wanted`` maps its ingredients to the foods for which they stand."""
+        """Return the best tree of ``goal`` that is found in time, ``exact`` where there is no better one.
+
+        ``wanted`` maps labels of foods to the number (from 0) of the required ingredient for which each stands; several
+        may stand for one. Raises what the view raises.
+        """
         key = (goal.node, tuple(sorted(wanted.items())))
         found = self._kept.find(key)
         if found is None:
             problem = self.problem(goal, wanted)
+            # what was explored holds numbers of one index, and without all units each goal has an index of its own
             explored = self._explored if self.units is not None else Explored()
-            found = self._kept[key] = retrieve_once(
-                problem, self.view.memory, time_limit=self.settings.time_limit, explored=explored
-            )
+            found = retrieve_once(problem, self.view.memory, time_limit=self.settings.time_limit, explored=explored)
+            if found.exact:  # one that time cut short may be better the next time
+                self._kept[key] = found
         return found
 
     def problem(self, goal: Goal, wanted: Mapping[str, int]) -> SearchProblem:
-        """Return what is asked of the search where :meth:`tree` is: ``goal`` with the ``wanted`` foods.
-
-        Each food has its weight.
-        """
+        """Return what :meth:`tree` asks of the search: ``goal`` with the foods ``wanted`` there."""
         return SearchProblem(self._index_for(goal), (goal.node,), wanted=dict(wanted))
 
     def summary(
@@ -52,7 +61,8 @@ class References:
     ) -> ReferenceSummary:
         """Return the reference tree of ``goal`` for the ``wanted`` foods in figures.
 
-        ``videos`` and ``core`` are the videos that it is made after and the foods that the final tree takes over.
+        ``videos`` and ``core`` are the videos that it is made after and the foods that the final tree takes over. It is
+        as sure as the least sure draft among these videos; ``None`` where none of them is a draft.
         """
         tree = self.tree(goal, wanted)
         sure = [self.view.sureness[video] for video in videos if video in self.view.sureness]
@@ -68,8 +78,9 @@ class References:
         return self._index
 
     def _numbered(self, units: Sequence[KnownUnit]) -> UnitIndex:
-        kitchen = self.settings.kitchen.with_every_food()  # foods of a reference are exchanged: the final tree is asked
-        cost = gap_cost(kitchen, units, mixtures(kitchen, self.view.words_in(units, _NONE), units))
+        # a food that is missing may be substituted yet: what is really there is asked of the final tree
+        kitchen = self.settings.kitchen.with_every_food()
+        cost = gap_cost(kitchen, units, mixtures(kitchen, self.view.words_in(units, _NO_WORDS), units))
         return UnitIndex.of(
             units,
             at_hand=kitchen.has,

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from foon_kg.model.errors import UsageError
+from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import Similarity
 
@@ -29,6 +31,12 @@ class PlanSettings:
     has a food of ``avoided`` (names of foods or of kinds of food). ``after`` names the recorded dish, or the video, to
     make it after. ``explain`` asks for the reasons with every tree. ``with_drafts`` plans with drafts of recipes, too,
     where the FOON has some; whoever opens it minds that. The paper's ``method`` knows nothing of all this.
+
+    Raises :class:`~foon_kg.model.errors.UsageError` for something avoided that has no letter: no food is called so.
+
+    >>> PlanSettings(avoided=("2%",))
+    Traceback (most recent call last):
+    foon_kg.model.errors.UsageError: “2%” is no food that can be avoided
     """
 
     kitchen: Kitchen = field(default_factory=Kitchen.default)
@@ -40,3 +48,9 @@ class PlanSettings:
     explain: bool = False
     method: Method = "frames"
     with_drafts: bool = False
+
+    def __post_init__(self) -> None:
+        odd = next((name for name in self.avoided if not any(letter.isalpha() for letter in canonical(name))), None)
+        if odd is not None:
+            hint = "Name a food, or a kind of food, as in: nuts."
+            raise UsageError(f"“{odd}” is no food that can be avoided", hint=hint)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 from foon_kg.food import singular, tables
@@ -55,6 +55,15 @@ def read_each(text: str, read: Read) -> list[tuple[RequiredIngredient, tuple[str
         (replace(wanted, part=wanted.part or part), notes if place else (told, *notes))
         for place, (wanted, notes) in enumerate(found)
     ]
+
+
+def names_in(texts: Iterable[str]) -> tuple[str, ...]:
+    """Return all that :meth:`IngredientWords.read` may take for the name of a food in ``texts``."""
+    names: dict[str, None] = {}
+    for text in (one for several in texts for one in each_food(several)):
+        for words in (text.partition(",")[0].split(), text.replace(",", " ").split()):
+            names |= dict.fromkeys(" ".join(words[n:]) for n in range(len(words)))
+    return tuple(names)
 
 
 def _has_a_name_with_and(text: str) -> bool:

@@ -92,8 +92,8 @@ class Report:
 
     @property
     def form(self) -> bool:
-        """Whether the tree keeps C1 to C9, as far as they were asked."""
-        return not set(self.fatal) & set(FORM)
+        """Whether there is a tree, and it keeps C1 to C9 as far as they were asked."""
+        return self.played and not set(self.fatal) & set(FORM)
 
     @property
     def robot(self) -> bool:

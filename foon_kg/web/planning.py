@@ -1,4 +1,4 @@
-"""The questions that take a while, answered from one FOON: plans and suggestions."""
+"""The questions that take a while, answered from one FOON: plans, suggestions and examples."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from foon_kg.web.questions import ExamplesQuestion, PlanQuestion, Question, Repl
 from foon_kg.web.sources import PartSources, Sources, WholeSources
 
 TIME_LIMIT = 3.0
-"""Seconds for the search of one reference tree."""
+"""Seconds for the search of one reference tree, and for each dish that is suggested."""
 
 _MOST_PRACTISED = 120
 """So many dishes are planned before anybody asks: of the public FOON all, of a larger one some of each type."""
@@ -29,7 +29,7 @@ _NO_WISHES = PlanSettings(time_limit=TIME_LIMIT)
 
 
 class PlanningDesk:
-    """Answers plans and suggestions from one FOON, for one thread."""
+    """Answers plans, suggestions and examples from the FOON that is ``served``, for one thread."""
 
     def __init__(self, served: Served) -> None:
         self._foon = served.foon()
@@ -39,20 +39,24 @@ class PlanningDesk:
         """Work out what every plan needs, so that no question waits for it and none of its time limit goes into it."""
         self._foon.get_ready(_NO_WISHES)
         self._sources.get_ready()
-        _ = self._durations
+        _ = self._durations  # worked out now, and kept
 
     def practise(self) -> Iterator[PlannerQuestion]:
-        """Plan recorded dishes, one at each step, for what is kept of that: words, places of foods, reference trees.
+        """Plan recorded dishes to fill the caches (words, places of foods, reference trees); yield each after it.
 
-        No answer becomes another by it; the first questions about like foods are answered sooner.
+        Answers stay the same; the first questions about like foods are answered sooner. It ends where the FOON cannot
+        be asked any more, or changed meanwhile: whoever asks then is told so.
         """
-        for dish in islice(Foon(self._sources.sample).recorded_dishes(), _MOST_PRACTISED):
-            question = question_of(dish)
-            self._planned(question)
-            yield question
+        try:
+            for dish in islice(Foon(self._sources.sample).recorded_dishes(), _MOST_PRACTISED):
+                question = question_of(dish)
+                self._planned(question)
+                yield question
+        except FoonError:
+            return
 
     def answer(self, question: Question) -> Reply:
-        """Return the reply to ``question``; what is wrong with it is one too."""
+        """Return the reply to ``question``; what is wrong with it, or with the FOON, is one too."""
         try:
             if isinstance(question, PlanQuestion):
                 return self._plan(question)
@@ -84,8 +88,8 @@ class PlanningDesk:
             plain = replace(_NO_WISHES, with_drafts=question.with_drafts)
             return self._foon.answer(asked, plain, explain=question.explain)
         settings = PlanSettings(
-            kitchen, None, TIME_LIMIT, chosen, avoided, question.after, explain=question.explain,
-            with_drafts=question.with_drafts,
+            kitchen=kitchen, time_limit=TIME_LIMIT, substitutes=chosen, avoided=avoided, after=question.after,
+            explain=question.explain, with_drafts=question.with_drafts,
         )  # fmt: skip
         with self._foon.answers([asked], settings) as answers:  # nothing is kept ready for what others do not wish
             return next(iter(answers))

@@ -14,15 +14,15 @@ from foon_kg.food import Food, Utensil
 
 @dataclass(eq=False, slots=True)
 class Part:
-    """A food as it was taken from the kitchen, and what was done to it since.
+    """A ``food`` as it was taken from the kitchen at the step ``taken``, in these ``states``, and what was done since.
 
-    ``done`` maps each treatment (cut, peel, cook, boil, shell …) to the step that gave it, -1 where it was bought or
-    assumed so. ``fine`` says how small its pieces are, 0 whole to 5 powder. ``remains`` is what nobody eats (a husk, a
-    skin). ``joined`` is the step that last brought it to other foods, ``mixed`` the one that last mixed it with them,
-    ``heated`` the one that last heated it, ``cooled`` the first one after that at which it waited or was rinsed.
-    ``unstated``: nobody ever said in which state it is (a name in a ``{}``), so that it is not judged raw or whole.
-    ``spoonful``: it came in a spoon, too little to cook anything in. ``origin`` numbers what was taken once: portions
-    of it have the same. ``name`` is the food's, in the singular.
+    Steps are numbers of the tree's. ``done`` maps each treatment (cut, peel, cook, boil, shell …) to the step that gave
+    it, -1 where it was bought or assumed so. ``fine`` says how small its pieces are, 0 whole to 5 powder. ``remains``
+    is what nobody eats (a husk, a skin). ``joined`` is the step that last brought it to other foods, ``mixed`` the one
+    that last mixed it with them, ``heated`` the one that last heated it, ``cooled`` the first one after that at which
+    it waited or was rinsed. ``unstated``: nobody ever said in which state it is (a name in a ``{}``), so that it is not
+    judged raw or whole. ``spoonful``: it came in a spoon, too little to cook anything in. ``origin`` numbers what was
+    taken once: portions of it have the same. ``name`` is the food's, in the singular.
     """
 
     food: Food
@@ -51,7 +51,9 @@ class Part:
     def meet(self, other: Part) -> None:
         """Be one part again with an ``other`` portion of the same history.
 
-        What befell either last holds for both; they are a spoonful where both were.
+        When it last joined, was mixed, heated and cooled is the later of the two; so a portion that is still hot counts
+        as cooled where the other one waited after that. The steps in ``done`` stay its own; they are a spoonful where
+        both were.
         """
         self.joined = _later(self.joined, other.joined)
         self.mixed = _later(self.mixed, other.mixed)
@@ -60,7 +62,7 @@ class Part:
         self.spoonful = self.spoonful and other.spoonful
 
     def copy(self, *, remains: bool = False) -> Part:
-        """Return another portion of it; one that ``remains`` is left over."""
+        """Return another portion of it; with ``remains`` what nobody eats of it, as is a portion of such a part."""
         return Part(
             self.food, self.states, self.taken, dict(self.done), self.fine, remains or self.remains,
             self.joined, self.mixed, self.heated, self.cooled, self.unstated, self.spoonful, self.origin,
@@ -78,8 +80,10 @@ class Lump:
 
     Names and parts are changed by its methods alone.
 
-    ``gone``: it is part of another lump now, or was thrown away. ``riders`` lie on it and go where it goes. ``number``
-    is the thing's number in a tree that numbers them, ``filed`` what it is called where the kitchen finds it.
+    ``made``: a step of the tree gave it this label. ``gone``: it is part of another lump now, or was thrown away.
+    ``riders`` lie on it and go where it goes. ``last`` is the step that last touched it. ``number`` is the thing's
+    number in a tree that numbers them, ``filed`` the very tuple ``called`` under which the kitchen last filed it: it is
+    filed anew where ``called`` is another one.
     """
 
     label: str
@@ -97,7 +101,7 @@ class Lump:
 
     @property
     def called(self) -> tuple[str, ...]:
-        """Its names and those of its parts, each once."""
+        """Its names and those of its parts, each once, in no order."""
         if self._called is None:
             self._called = tuple(dict.fromkeys([*self.names, *[part.name for part in self.parts]]))
         return self._called
@@ -114,7 +118,10 @@ class Lump:
         self._called = None
 
     def take(self, parts: Iterable[Part]) -> None:
-        """Take parts in. Portions of one thing that come together again with one history are one part."""
+        """Take parts in: the given ones, and no copies of them.
+
+        Portions of one thing that come together again with one history are one part.
+        """
         self._called = None
         there = {part.kept_as: part for part in self.parts}
         for part in parts:
@@ -140,7 +147,9 @@ class Lump:
 class Vessel:
     """A vessel, tool or appliance with what it holds. ``where`` is what it stands on, in or is attached to.
 
-    ``power`` of an appliance is by burner: the label of the vessel that stands there, ``""`` for all others.
+    ``power`` of an appliance is by burner: the label of the vessel that stands there, ``""`` for all others; two pans
+    of one label share one. ``covered``: a lid is on it. ``hot``: what is on gave it heat. ``had`` are names of lumps
+    that were ever in it, ``held`` those of their parts. ``last`` is the step that last touched it.
     """
 
     label: str
@@ -157,7 +166,7 @@ class Vessel:
 
     @property
     def is_appliance(self) -> bool:
-        """Whether it has power."""
+        """Whether it is an appliance, with a switch or always on."""
         return self.row.role == "appliance"
 
     @property

@@ -18,8 +18,9 @@ from foon_kg.model import Annotation, Subgraph
 from foon_kg.model.errors import NoTreeError
 from foon_kg.model.names import canonical
 from foon_kg.planning.planner import Planner
-from foon_kg.planning.recipes import IngredientWords, names_in, recipe_of
+from foon_kg.planning.recipes import IngredientWords, recipe_of
 from foon_kg.planning.settings import PlanSettings
+from foon_kg.planning.several_asked import names_in
 from foon_kg.plans.result import PlanFailure
 from foon_kg.similarity import food_similarity
 from foon_kg.store.graph import Connection, Neo4jGraph, load, remove, words_for

@@ -160,7 +160,7 @@ def test_the_program_draws_and_compares(tmp_path):
     assert code == 0
     assert [one["accepted"]["mean"] for one in found[:3]] == [1.0, 0.5, 0.5]
     code, _, said = run(tmp_path, "compare key.json --sheet words.md")
-    assert (code, said.splitlines()[0]) == (1, "words.md:1: no line of a tree")
+    assert (code, said.splitlines()[0]) == (1, "words.md:1: this is no line about a tree")
 
 
 @pytest.mark.shared_data

@@ -33,6 +33,13 @@ def plan(asked, *, substitutes=(), avoided=()):
     return Planner(SNAPSHOT, wishes, SNAPSHOT.units).plan(asked)
 
 
+@pytest.mark.parametrize("name", ["", " ", "-", "2%", "★"])
+def test_a_name_without_a_letter_is_refused_and_avoids_nothing(name):
+    assert why_avoided("onion", [name]) is None
+    with pytest.raises(UsageError, match="is no food that can be avoided"):
+        PlanSettings(avoided=("nuts", name))
+
+
 def objects(result):
     return [s for s in result.substitutions if s.kind == "object"]
 

@@ -156,6 +156,8 @@ def test_different_trees_for_one_recipe(check):
         "  fatal:",
         "    C9: answer 1 differs from the first in reference.overlap",
     ]
+    nobody_asked = [{key: value for key, value in one.items() if key != "recipe"} for one in (salad(), other)]
+    assert "C9" not in check("\n".join(map(json.dumps, nobody_asked))).stdout
     answers = check("\n".join(map(json.dumps, [salad(), salad()])), "--json").stdout.splitlines()
     assert [[one["rule"] for one in json.loads(answer)["not_asked"]] for answer in answers] == [["C9"], []]
 

@@ -136,7 +136,7 @@ def test_a_cook_does_not_mind_minor_findings_of_what_only_a_robot_sees(rule):
 
 def test_a_tree_that_was_not_played_is_accepted_by_nobody():
     one = Report("nothing", (), played=False)
-    assert (one.form, one.robot, one.cook, one.accepted) == (True, False, False, False)
+    assert (one.form, one.robot, one.cook, one.accepted) == (False, False, False, False)
     assert Report("something", ()).played
 
 

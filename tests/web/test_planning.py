@@ -6,6 +6,7 @@ from multiprocessing import Pipe
 
 from pictures.demo_plans import demo_foon
 
+from foon_kg.model.errors import GraphError
 from foon_kg.web.foon import Served
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.planning_process import _until_asked
@@ -33,6 +34,14 @@ def test_practice_can_be_left_at_any_dish():
     first, answer, second = next(practice), desk.answer(QUESTIONS[0]), next(practice)
     assert first != second
     assert answer == PlanningDesk(Served("one", demo_foon())).answer(QUESTIONS[0])
+
+
+def test_practice_ends_where_the_foon_cannot_be_asked_any_more():
+    class GoneDesk(PlanningDesk):
+        def _planned(self, question):
+            raise GraphError("the database went away")
+
+    assert list(GoneDesk(Served("one", demo_foon())).practise()) == []
 
 
 def test_a_process_practises_until_it_is_asked_and_goes_on_later():
