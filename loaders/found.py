@@ -10,6 +10,13 @@ from foon_kg.model.errors import ReadError
 from foon_kg.model.plugins import LOADERS, names
 
 _ENDINGS = (".txt", ".json", ".lisp")
+_SPREADSHEET = "Save the table as CSV with commas: foon load videos reads that."
+_OTHER_TABLES = {
+    ".csv": "A plain table (.csv) is loaded by foon load videos.",
+    ".ods": _SPREADSHEET,
+    ".xlsx": _SPREADSHEET,
+}
+"""What to do with a table that is no subgraph, by how its file ends."""
 
 
 def is_foreign(path: Path) -> bool:
@@ -32,7 +39,8 @@ def _foon_files(path: Path) -> list[Path]:
     if not path.exists():
         raise ReadError(f"{path}: no such file or folder", hint="Check the path.")
     if path.suffix.lower() not in _ENDINGS and not is_foreign(path):
-        raise ReadError(f"{path}: neither *.txt nor *.json", hint="A subgraph is a FOON text or its JSON.")
+        hint = _OTHER_TABLES.get(path.suffix.lower(), "A subgraph is a FOON text or its JSON.")
+        raise ReadError(f"{path}: neither *.txt nor *.json", hint=hint)
     return [path]
 
 
@@ -43,8 +51,14 @@ def _foon_files_below(folder: Path) -> list[Path]:
         foreign = {f".{name}" for name in names(LOADERS)} - set(_ENDINGS)
         files += [file for file in below if file.suffix.lower() in foreign]
     if not files:
-        raise ReadError(f"{folder}: no FOON file in this folder", hint="It should hold *.txt or *.json subgraphs.")
+        raise ReadError(f"{folder}: no FOON file in this folder", hint=_hint_for(below))
     return files
+
+
+def _hint_for(files: Iterable[Path]) -> str:
+    """Return what to do with a folder of ``files`` that are no subgraphs."""
+    others = (_OTHER_TABLES.get(file.suffix.lower()) for file in files)
+    return next(filter(None, others), "It should hold *.txt or *.json subgraphs.")
 
 
 def _below(folder: Path) -> Iterator[Path]:

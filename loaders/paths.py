@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
@@ -102,7 +103,7 @@ def _video_name(path: Path) -> str:
         path.stem.encode()
     except UnicodeEncodeError as error:
         raise UnreadableFile("the name of the file is not UTF-8") from error
-    return path.stem
+    return unicodedata.normalize("NFC", path.stem)  # some file systems take names apart: o and ¨ for ö
 
 
 def _printable(path: Path) -> str:

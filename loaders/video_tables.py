@@ -15,6 +15,7 @@ ingredients may enter here. In a row with a dish the goal is the food that comes
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
@@ -85,7 +86,7 @@ def read_video_table(path: Path) -> tuple[ReadResult, ...]:
     that is no such table is one result without a subgraph. Never raises.
     """
     try:
-        return read_video_text(decode(read_bytes(path)), path.stem, str(path))
+        return read_video_text(decode(read_bytes(path)), unicodedata.normalize("NFC", path.stem), str(path))
     except (UnreadableFile, OSError) as error:
         return (Journal(str(path)).reject_unread(error),)
 
@@ -101,13 +102,24 @@ def read_video_text(text: str, name: str, file: str = "") -> tuple[ReadResult, .
     except UnreadableFile as unreadable:
         return (Journal(file).reject_file(unreadable.line, unreadable.problem),)
     if not is_video_table(text):
-        message = f"the first line does not have the columns {', '.join(COLUMNS)}"
-        return (Journal(file).reject_file(1, Problem(NoticeKind.UNREADABLE_FILE, message)),)
+        return (Journal(file).reject_file(1, Problem(NoticeKind.UNREADABLE_FILE, _wrong_with(text))),)
     videos: dict[str, list[TableRow]] = {}
     for row in rows:
         videos.setdefault(row.cells.get("video", "") or name, []).append(row)
     hours = counts_hours(row.cells.get(column, "") for row in rows for column in ("start", "end"))
     return tuple(_video(video, listed, file, hours=hours) for video, listed in (videos or {name: []}).items())
+
+
+def _wrong_with(text: str) -> str:
+    """Return why the first line of ``text`` is not that of a plain table."""
+    first = text.partition("\n")[0].lower()
+    if not first.strip():
+        return "there is nothing in its first line, which names the columns"
+    for sign, name in ((";", "semicolons"), ("\t", "tabs")):
+        if set(COLUMNS) <= {column.strip(' "\r\ufeff') for column in first.split(sign)}:
+            return f"its columns are separated by {name}, and not by commas: save it as CSV with commas"
+    missing = [column for column in COLUMNS if column not in columns_of(text)]
+    return f"the first line does not have the columns {', '.join(COLUMNS)}: {', '.join(missing)} is not there"
 
 
 def read_thing(text: str) -> Participant | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
 
 from foon_kg.model import DISH_TYPES
 from foon_kg.model.errors import UsageError
@@ -18,4 +19,6 @@ def check_dish_types(names: Iterable[str], besides: Sequence[str] = ()) -> None:
     allowed = (*besides, *DISH_TYPES)
     unknown = next((name for name in names if name not in allowed), None)
     if unknown is not None:
-        raise UsageError(f"“{unknown}” is no dish type", hint=f"It is one of: {', '.join(allowed)}.")
+        meant = get_close_matches(unknown.lower(), allowed, 1)
+        asked = f"Did you mean {meant[0]}? " if meant else ""
+        raise UsageError(f"“{unknown}” is no dish type", hint=f"{asked}It is one of: {', '.join(allowed)}.")

@@ -22,6 +22,12 @@ if TYPE_CHECKING:
     from foon_kg.model.drafts import DraftFile
     from foon_kg.model.narration import Narration
 
+_OTHER_WAYS = {
+    ".csv": "foon draft videos reads narrations, foon load videos plain tables, foon draft recipes collections.",
+    ".json": "foon draft recipes reads collections of recipes, foon draft videos captions, foon load foon subgraphs.",
+}
+"""What reads such a file, by how its name ends."""
+
 app = CommandGroup(name="draft", help="Draft subgraphs of narrated videos and of text.")
 
 Output = Annotated[
@@ -103,6 +109,9 @@ def text(
     from foon_kg.foon import Foon
 
     check_dish_types([dish] if dish is not None else [])
+    for path in paths:
+        if (other := _OTHER_WAYS.get(path.suffix.lower())) is not None:
+            raise UsageError(f"{path}: is no text that says what to do", hint=other)
     say = sayer(quiet=quiet)
     narrations = [Foon.narration(path, say=say) for path in paths]
     free = list(_with_free_names(narrations, output, force=force))  # all, before the first is drafted

@@ -35,6 +35,8 @@ def review_in_person(path: Path, output: Path | None) -> bool:
     """
     from foon_kg.foon import Review
 
+    if output is not None and output.suffix.lower() != ".txt":
+        raise UsageError(f"{output}: what is decided is FOON text", hint="Its name ends in .txt.")
     session = ReviewSession(path, Review.of(read_table(path), path.stem, str(path)))
     with session.keys.open(), suppress(KeyboardInterrupt):  # pressed while a row is still being shown
         session.ask()

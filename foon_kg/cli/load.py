@@ -26,6 +26,7 @@ from foon_kg.cli.loading import (
     tell_in_short,
     unknown_notice,
 )
+from foon_kg.model.nodes import distinct_by_name
 from foon_kg.model.written_files import write_file
 
 if TYPE_CHECKING:
@@ -202,7 +203,7 @@ def _bring(
 
     read, say = FilesRead.of(results), sayer(quiet=quiet)
     _tell(read, report, bad_tolerance, say, _played(results, say) if check else ())
-    subgraphs = [result.subgraph for result in results if result.subgraph is not None]
+    subgraphs = distinct_by_name(result.subgraph for result in results if result.subgraph is not None)
     loaded = None if dry_run else _load(subgraphs, len(subgraphs), quiet=quiet)
     show_counts(_counts(read, loaded), as_json=as_json)
 

@@ -282,7 +282,16 @@ def _questions(
     wanted = wanted or ()
     if dish_type is None and any(map(_looks_like_a_file, wanted)):
         return [Question(path) for path in recipe_files(Path(name) for name in wanted)]
+    _refuse_files(wanted)
     return [Question(dish_type=dish_type or "", texts=tuple(wanted))]
+
+
+def _refuse_files(texts: Sequence[str]) -> None:
+    """Raise UsageError where one of ``texts``, ingredients in words, is the name of a file."""
+    for text in texts:
+        if Path(text).suffix and Path(text).is_file():
+            hint = "Name each with --files: --files A --files B; recipe files are planned without --dish."
+            raise UsageError(f"{text} is a file, and no ingredient", hint=hint)
 
 
 def _called(questions: list[Question], title: str | None) -> list[Question]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import NamedTuple
 
+from foon_kg.model.errors import ReadError
 from foon_kg.model.json_text import compact_json
 
 DISH_TYPES: tuple[str, ...] = (
@@ -349,3 +350,20 @@ class Recipe:
     ingredients: tuple[RequiredIngredient, ...]
     id: str | None = None
     title: str | None = None
+
+
+def distinct_by_name(subgraphs: Iterable[Subgraph]) -> tuple[Subgraph, ...]:
+    """Return ``subgraphs`` sorted by name, equal ones once; raises ReadError for two of one name that differ."""
+    by_name: dict[str, Subgraph] = {}
+    for subgraph in subgraphs:
+        if by_name.setdefault(subgraph.name, subgraph).content_key != subgraph.content_key:
+            raise two_of_one_name(subgraph.name)
+    return tuple(by_name[name] for name in sorted(by_name))
+
+
+def two_of_one_name(name: str) -> ReadError:
+    """Return the error for two subgraphs of one name that differ."""
+    return ReadError(
+        f"two different subgraphs are called “{name}”",
+        hint="A video has one subgraph: load only one of the files, or rename one of them.",
+    )

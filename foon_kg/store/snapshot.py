@@ -16,8 +16,8 @@ from foon_kg.integration.teaching.derivation import frames_of
 from foon_kg.integration.teaching.frames import Frame
 from foon_kg.integration.teaching.operators import Operators
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Participant, Sighting, Subgraph, sightings_of
-from foon_kg.model.errors import ReadError
 from foon_kg.model.knowledge import KnowledgeView, LikelyGoals, Neighbour, Vocabulary
+from foon_kg.model.nodes import distinct_by_name
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.confidences import nearest_of_each
@@ -188,23 +188,6 @@ class Snapshot:
             for food in food_states((node,), is_utensil=lambda _: False):
                 outputs[food].append(node)
         return dict(outputs)
-
-
-def distinct_by_name(subgraphs: Iterable[Subgraph]) -> tuple[Subgraph, ...]:
-    """Return ``subgraphs`` sorted by name, equal ones once; raises ReadError for two of one name that differ."""
-    by_name: dict[str, Subgraph] = {}
-    for subgraph in subgraphs:
-        if by_name.setdefault(subgraph.name, subgraph).content_key != subgraph.content_key:
-            raise two_of_one_name(subgraph.name)
-    return tuple(by_name[name] for name in sorted(by_name))
-
-
-def two_of_one_name(name: str) -> ReadError:
-    """Return the error for two subgraphs of one name that differ."""
-    return ReadError(
-        f"two different subgraphs are called “{name}”",
-        hint="A video has one subgraph: load only one of the files, or rename one of them.",
-    )
 
 
 def goals_of(subgraph: Subgraph, kitchen: Kitchen) -> tuple[tuple[ObjectNode, str], ...]:

@@ -9,12 +9,12 @@ import neo4j
 
 from foon_kg.model import Subgraph
 from foon_kg.model.errors import UsageError
+from foon_kg.model.nodes import distinct_by_name
 from foon_kg.plans.difference import VideoDifference, difference, labels_of
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.statements import ask
 from foon_kg.store.graph.values import subgraph_of
-from foon_kg.store.snapshot import distinct_by_name
 
 
 def differences(connection: Connection, subgraphs: Iterable[Subgraph]) -> tuple[VideoDifference, ...]:

@@ -12,6 +12,7 @@ import neo4j
 
 from foon_kg.model import Subgraph
 from foon_kg.model.errors import SchemaError
+from foon_kg.model.nodes import distinct_by_name, two_of_one_name
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.connection import Connection
@@ -21,7 +22,6 @@ from foon_kg.store.graph.schema import check_readable, kitchen_key, prepare_for_
 from foon_kg.store.graph.statements import VIDEO_CONTENTS, VIDEO_NAMES, ask
 from foon_kg.store.graph.taught import Ahead, Taught
 from foon_kg.store.graph.writing import Writer
-from foon_kg.store.snapshot import distinct_by_name, two_of_one_name
 
 UNITS_PER_TRANSACTION = 2_500
 """Bounds the memory of the database for one transaction; the 111 public subgraphs are one."""

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 from foon_kg.model import Subgraph
 from foon_kg.model.collected import CollectedRecipe, UnderstoodRecipe
+from foon_kg.model.nodes import two_of_one_name
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph.loading import UNITS_PER_TRANSACTION, batches
 from foon_kg.store.graph.recipes import RecipesStored, Understand, write_recipes
 from foon_kg.store.graph.recipes import batches as recipe_batches
 from foon_kg.store.graph.writing import Writer
 from foon_kg.store.offline.staged import Staged
-from foon_kg.store.snapshot import two_of_one_name
 
 
 @dataclass
