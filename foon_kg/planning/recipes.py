@@ -164,11 +164,15 @@ class IngredientWords:
         return f": did you mean “{meant}”?" if meant != state.lower() else ""
 
     def _food_begins(self, words: Sequence[str]) -> int:
-        """Return the place of the first word of the food."""
+        """Return the place of the first word of the food; what is listed by a longer name is that: almond milk."""
         known = [place for place in range(len(words)) if canonical(" ".join(words[place:])) in self._labels]
         after_state = [place for place in range(1, len(words)) if self._ends_with_state(words[:place])]
         both = [place for place in known if place == 0 or place in after_state]
-        return min(both, default=max(after_state, default=min(known, default=0)))
+        found = min(both, default=max(after_state, default=min(known, default=0)))
+        is_listed = tables().foods.is_listed
+        longer = next((place for place in range(found) if is_listed(" ".join(words[place:]))), found)
+        is_in_a_state = not self._states_in(words[longer:found])[1] and is_listed(" ".join(words[found:]))
+        return found if is_in_a_state else longer
 
     def _ends_with_state(self, words: Sequence[str]) -> bool:
         return any(" ".join(words[place:]).lower() in self.states for place in range(len(words)))
@@ -301,7 +305,7 @@ def _as_usual(wanted: RequiredIngredient) -> str:
 def _gathered(read: Sequence[tuple[RequiredIngredient, tuple[str, ...]]]) -> tuple[str, ...]:
     """Return the notes of several foods; of all those whose states nobody named there is one."""
     usual = {_as_usual(wanted): wanted for wanted, notes in read if _as_usual(wanted) in notes}
-    notes = tuple(note for _, said in read for note in said)
+    notes = tuple(chain.from_iterable(said for _, said in read))
     if len(usual) <= 1:
         return notes
     told = ", ".join(f"{wanted.object} ({wanted.state})" for wanted in usual.values())

@@ -1,0 +1,43 @@
+"""What the tables list by several words is read as that food, and not as another one in a state."""
+
+from __future__ import annotations
+
+import pytest
+
+from foon_kg.food import tables
+from foon_kg.foon.demo import demo_folder
+from foon_kg.loaders import read_paths
+from foon_kg.planning.recipes import IngredientWords
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
+
+DEMO = [one.subgraph for one in read_paths([demo_folder()]) if one.subgraph is not None]
+BULBS = ("head of garlic",)  # asked so, it is garlic, of which cloves are taken
+WORDS = IngredientWords(Snapshot.of(DEMO, Kitchen.default()).vocabulary(), Kitchen.default())
+
+
+def test_every_listed_name_is_its_own_food_unless_it_is_a_food_in_a_state():
+    foods, others = tables().foods, []
+    for name in sorted(foods.kind_of):
+        wanted, _ = WORDS.read(name)
+        before = name.removesuffix(wanted.object).split()
+        states = all(word in WORDS.states for word in before)
+        same = foods.food(wanted.object).kind == foods.food(name).kind or name in BULBS
+        if not same and not (states and foods.is_listed(wanted.object)):
+            others.append((name, wanted.object, wanted.state))
+    assert others == []
+
+
+@pytest.mark.parametrize(
+    ("text", "food"),
+    [
+        ("almond milk", "almond milk"),
+        ("2 cups of coconut milk", "coconut milk"),
+        ("chopped garlic chives", "garlic chives"),
+        ("vanilla ice cream", "vanilla ice cream"),
+        ("finely chopped onion", "onion"),
+        ("sliced cucumber", "cucumber"),
+    ],
+)
+def test_a_food_of_two_words_is_no_state_of_the_second(text, food):
+    assert WORDS.read(text)[0].object == food
