@@ -9,12 +9,11 @@ import json
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import chain, takewhile
+from itertools import chain
 from pathlib import Path
 
 from foon_kg.food import tables
 from foon_kg.food.called import dish_type_called
-from foon_kg.food.lists import word_list
 from foon_kg.food.told_states import asked_state, in_turn
 from foon_kg.food.words import without_part
 from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
@@ -24,7 +23,7 @@ from foon_kg.model.json_text import json_value
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.model.regular_files import read_text
-from foon_kg.planning.several_asked import read_each
+from foon_kg.planning.several_asked import amount_of, counting, read_each
 from foon_kg.plans.kitchen import Kitchen
 
 NO_FOOD, NO_STATE = "no food is called", "no state is called"
@@ -87,7 +86,7 @@ class IngredientWords:
 
     def _amount_of(self, words: Sequence[str]) -> int:
         """Return how many words in front say how much of a food is asked: none of “7 up” where that is known."""
-        amount = _counting(words)
+        amount = counting(words)
         return 0 if amount == len(words) or canonical(" ".join(words)) in self._labels else amount
 
     def with_state(self, wanted: RequiredIngredient) -> tuple[RequiredIngredient, tuple[str, ...]]:
@@ -115,12 +114,12 @@ class IngredientWords:
 
         ``rest`` are the words that are neither: how much it is, and states that nobody knows.
         """
-        amount = _counting(rest)
+        amount = counting(rest)
         measure, others = rest[:amount], rest[amount:]
         processed = [state for state in states if not self.kitchen.is_start_state(food, state)]
         unknown = " ".join(others) or tables().foods.as_measured(food, (word.lower() for word in measure))
         state = asked_state(processed or list(states) or [unknown], tables())
-        wanted, notes = self.with_state(RequiredIngredient(food, state, _amount(measure)))
+        wanted, notes = self.with_state(RequiredIngredient(food, state, amount_of(measure)))
         left_out = _left_out(text, wanted, (*states, *others))
         return wanted, (*notes, *left_out, *self._doubts(text, wanted))
 
@@ -169,6 +168,10 @@ class IngredientWords:
         after_state = [place for place in range(1, len(words)) if self._ends_with_state(words[:place])]
         both = [place for place in known if place == 0 or place in after_state]
         found = min(both, default=max(after_state, default=min(known, default=0)))
+        return self._longer(words, found)
+
+    def _longer(self, words: Sequence[str], found: int) -> int:
+        """Return where the longest listed name that ends ``words`` begins; ``found`` where it is in a state."""
         is_listed = tables().foods.is_listed
         longer = next((place for place in range(found) if is_listed(" ".join(words[place:]))), found)
         is_in_a_state = not self._states_in(words[longer:found])[1] and is_listed(" ".join(words[found:]))
@@ -222,29 +225,6 @@ def _left_out(text: str, wanted: RequiredIngredient, words: Iterable[str]) -> It
     left_out = [word for word in words if word not in said]
     if left_out:
         yield f"“{text}” is read as {wanted.object}, {wanted.state}: “{' '.join(left_out)}” is left out"
-
-
-def _counting(words: Sequence[str]) -> int:
-    """Return how many words in front say how much: two of “500 g potato”, three of “a pinch of salt”."""
-    lower = [word.lower().rstrip(".") or word for word in words]
-    begin = int(lower[:1] in (["a"], ["an"]))
-    if not (lower and lower[0][0].isnumeric()) and lower[begin + 1 : begin + 2] != ["of"]:
-        return 0
-    many = len(list(takewhile(_counts, lower[begin:])))
-    return begin + many if many else 0
-
-
-def _counts(word: str) -> bool:
-    """Return whether a ``word`` in lower case says how much: a number, a measure, or what stands between these."""
-    from foon_kg.language.plain_lines import is_measure  # noqa: PLC0415 - few questions count anything
-
-    measures = word_list("measures what is canned") | word_list("measures a food") | {"of", "to", "-"}
-    return word[0].isnumeric() or word in measures or is_measure(word)
-
-
-def _amount(words: Sequence[str]) -> str:
-    """Return how much words say: “2 cups” of “2 cups of”."""
-    return " ".join(words[:-1] if words and words[-1].lower() == "of" else words)
 
 
 def as_spelled(text: str) -> str | None:

@@ -1,10 +1,11 @@
-"""Words that ask for several foods at once: "chopped onion and 2 tomatoes", "salt, pepper and oil"."""
+"""Words that ask for several foods at once, or for so much of one: "chopped onion and 2 tomatoes", "500 g flour"."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from itertools import takewhile
 
 from foon_kg.food import singular, tables
 from foon_kg.food.lists import word_list
@@ -81,8 +82,34 @@ def _is_listed(words: Sequence[str]) -> bool:
 def _names_one(part: str) -> bool:
     """Return whether the words before a comma end with a listed food, or its piece, and name no other before it."""
     words = part.partition(",")[0].split()
-    if len(words) > 1 and singular(words[-1]) in word_list("is only a piece of it"):
-        words.pop()
+    is_piece = len(words) > 1 and singular(words[-1]) in word_list("is only a piece of it")
+    return _ends_with_one(words) or (is_piece and _ends_with_one(words[:-1]))
+
+
+def _ends_with_one(words: Sequence[str]) -> bool:
     is_listed = tables().foods.is_listed
     begin = next((place for place in range(len(words)) if is_listed(" ".join(words[place:]))), None)
     return begin is not None and not any(map(is_listed, words[:begin]))
+
+
+def counting(words: Sequence[str]) -> int:
+    """Return how many words in front say how much: two of “500 g potato”, three of “a pinch of salt”."""
+    lower = [word.lower().rstrip(".") or word for word in words]
+    begin = int(lower[:1] in (["a"], ["an"]))
+    if not (lower and lower[0][0].isnumeric()) and lower[begin + 1 : begin + 2] != ["of"]:
+        return 0
+    many = len(list(takewhile(_counts, lower[begin:])))
+    return begin + many if many else 0
+
+
+def _counts(word: str) -> bool:
+    """Return whether a ``word`` in lower case says how much: a number, a measure, or what stands between these."""
+    from foon_kg.language.plain_lines import is_measure  # noqa: PLC0415 - few questions count anything
+
+    measures = word_list("measures what is canned") | word_list("measures a food") | {"of", "to", "-"}
+    return word[0].isnumeric() or word in measures or is_measure(word)
+
+
+def amount_of(words: Sequence[str]) -> str:
+    """Return how much words say: “2 cups” of “2 cups of”."""
+    return " ".join(words[:-1] if words and words[-1].lower() == "of" else words)
