@@ -59,11 +59,11 @@ def names_avoided(node: ObjectNode, avoided: Sequence[str]) -> bool:
     return any(why_avoided(name, avoided) is not None for name in (node.label, *node.ingredients))
 
 
-MOST_REASONS = 1 << 16
+_REASONS_KEPT = 1 << 16
 """For so many names, each with one wish, it is kept why they are avoided."""
 
 
-@lru_cache(maxsize=MOST_REASONS)
+@lru_cache(maxsize=_REASONS_KEPT)
 def _why(food: str, avoided: str) -> str | None:
     wanted = words(canonical(avoided))
     if not wanted:  # no words stand in everything
