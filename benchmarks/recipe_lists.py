@@ -26,7 +26,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from foon_kg.food.words import heading_part, without_part
-from foon_kg.language.collection import is_heading
+from foon_kg.language.collection import bare_headings, is_heading
 from foon_kg.language.recipe_lines import read_recipe_lines
 from foon_kg.model import DISH_TYPES
 
@@ -76,8 +76,9 @@ def ingredients_of(recipe: WrittenRecipe, path: Path) -> tuple[list[dict[str, st
     """Return what the reader makes of the lines, and how many it cannot use; those are told on stderr."""
     wanted, part, rejected = [], "", 0
     read = read_recipe_lines(line for _, line in recipe.lines)
-    for (place, line), answer in zip(recipe.lines, read, strict=True):
-        if is_heading(line):
+    bare = bare_headings([line for _, line in recipe.lines])
+    for at, ((place, line), answer) in enumerate(zip(recipe.lines, read, strict=True)):
+        if at in bare or is_heading(line):
             part = heading_part(line)
         elif answer.object is None:
             said = f": {line}" if recipe.half == "development" else ""

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 
+from foon_kg.food import tables
 from foon_kg.food.dish_classes import dish_classes
 from foon_kg.food.lists import word_list
 from foon_kg.language.plain_lines import amount_in_front, is_measure
@@ -22,7 +23,7 @@ from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.similarity.states import state_in
 
-READING = 5
+READING = 6
 """Counts the ways in which lines were ever understood; a change of the rules below is a new one."""
 
 _REMEMBERED = 50_000
@@ -30,6 +31,7 @@ _PATTERNS = 5_000
 _IN_BRACKETS = re.compile(r"\([^()]*\)")
 _PARTS = word_list("parts of a dish")
 """What cooks call the parts of a dish."""
+_BARE = word_list("ends a heading without an amount")
 _PHRASE = re.compile(r",|;|\band\b|\bthen\b")
 
 
@@ -57,7 +59,11 @@ class CollectionReader:
         return tuple(map(self._understood, recipes))
 
     def _understood(self, recipe: CollectedRecipe) -> UnderstoodRecipe:
-        read = [(line, self._known[line]) for line in recipe.lines]
+        bare = bare_headings([line.text for line in recipe.lines])
+        read = [
+            (line, () if place in bare and not line.detected else self._known[line])
+            for place, line in enumerate(recipe.lines)
+        ]
         return UnderstoodRecipe(
             recipe,
             classes_of(recipe),
@@ -165,6 +171,29 @@ def is_heading(text: str) -> bool:
         return "," not in text
     part = canonical(words[-1]) in _PARTS
     return part and (len(words) == 1 or text.isupper() or words[0].lower() == "for")
+
+
+def bare_headings(lines: Sequence[str]) -> frozenset[int]:
+    """Return the places of those of ``lines``, a list of ingredients, that are headings only beside the others.
+
+    "Onion gravy" names a part, has no amount, and stands above two lines that have one, in a list most of whose lines do.
+
+    >>> bare_headings(["500 g minced pork", "1 egg", "Onion gravy", "2 onions, sliced", "500 ml beef stock"])
+    frozenset({2})
+    >>> bare_headings(["500 g minced pork", "1 egg", "soy sauce", "2 onions, sliced"])
+    frozenset()
+    """
+    counted = [any(char.isnumeric() for char in text) for text in lines]
+    if sum(counted) * 2 < len(lines):
+        return frozenset()
+    above = (place for place, _ in enumerate(lines[:-2]) if counted[place : place + 3] == [False, True, True])
+    return frozenset(place for place in above if _is_bare_heading(lines[place]))
+
+
+def _is_bare_heading(text: str) -> bool:
+    """Whether a line without an amount is of two or three words, of which the last names a part, and no known food."""
+    words = text.strip(" *-_").split()
+    return len(words) in {2, 3} and canonical(words[-1]) in _BARE and not tables().foods.is_listed(" ".join(words).lower())
 
 
 def state_beside(food: str, text: str) -> str | None:

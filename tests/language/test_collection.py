@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.language.collection import CollectionReader, is_heading, state_beside
+from foon_kg.language.collection import CollectionReader, bare_headings, is_heading, state_beside
 from foon_kg.model.collected import CalledFor, CollectedLine, CollectedRecipe
 
 
@@ -113,6 +113,29 @@ def test_a_heading_between_the_lines_is_no_food(text):
 @pytest.mark.parametrize("text", ["1 cup sauce", "tomato sauce", "SALT", "salad dressing", "1 batch filling:"])
 def test_a_line_that_asks_for_something_is_no_heading(text):
     assert not is_heading(text)
+
+
+@pytest.mark.parametrize("heading", ["Onion gravy", "Spice paste", "Cobbler dough", "Lemon drizzle icing"])
+def test_a_part_without_an_amount_among_lines_with_amounts_is_a_heading(heading):
+    lines = [CollectedLine(text) for text in ("500 g pork", "1 egg", heading, "2 onions", "1 l milk")]
+    understood = understand(*lines)
+    assert [called.object for called in understood.ingredients] == ["pork", "egg", "onion", "milk"]
+    assert understood.left_over == (heading,)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["500 g pork", "soy sauce", "2 onions", "1 egg"],  # a known food
+        ["500 g pork", "2 onions", "1 egg", "onion gravy"],  # nothing stands below it
+        ["500 g pork", "2 onions", "onion gravy", "1 egg"],  # too little for a part stands below it
+        ["pork", "onion gravy", "1 onion", "1 egg", "salt", "milk", "water"],  # nobody gives amounts
+        ["500 g pork", "1 jar onion gravy", "1 onion", "1 egg"],
+        ["500 g pork", "hot and sour onion gravy", "1 onion", "1 egg"],
+    ],
+)
+def test_a_part_that_is_bought_is_no_heading(lines):
+    assert bare_headings(lines) == frozenset()
 
 
 def test_a_heading_that_the_collection_takes_for_a_food_is_believed():
