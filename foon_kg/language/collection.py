@@ -176,7 +176,7 @@ def is_heading(text: str) -> bool:
 def bare_headings(lines: Sequence[str]) -> frozenset[int]:
     """Return the places of those of ``lines``, a list of ingredients, that are headings only beside the others.
 
-    "Onion gravy" names a part, has no amount, and stands above two lines that have one, in a list most of whose lines do.
+    "Onion gravy" names a part and has no amount. It stands above two lines that have one, as most lines of the list do.
 
     >>> bare_headings(["500 g minced pork", "1 egg", "Onion gravy", "2 onions, sliced", "500 ml beef stock"])
     frozenset({2})
@@ -191,9 +191,10 @@ def bare_headings(lines: Sequence[str]) -> frozenset[int]:
 
 
 def _is_bare_heading(text: str) -> bool:
-    """Whether a line without an amount is of two or three words, of which the last names a part, and no known food."""
+    """Whether a line is of two or three words, of which the last names a part, and no known food."""
     words = text.strip(" *-_").split()
-    return len(words) in {2, 3} and canonical(words[-1]) in _BARE and not tables().foods.is_listed(" ".join(words).lower())
+    names_a_part = len(words) in {2, 3} and canonical(words[-1]) in _BARE
+    return names_a_part and not tables().foods.is_listed(" ".join(words).lower())
 
 
 def state_beside(food: str, text: str) -> str | None:

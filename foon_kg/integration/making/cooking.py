@@ -139,10 +139,14 @@ class Cooking:
                 self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
                 oven = ""
             self._make_late(turn, vessel, late)
-            vessel = self._parted(turn.stage, vessel) or self._stage(turn, vessel)
+            vessel = self._by_itself(turn, vessel) or self._stage(turn, vessel)
         if vessel is not None:
             self.bench.heat_off(vessel)
         return vessel
+
+    def _by_itself(self, turn: Turn, vessel: Vessel | None) -> Vessel | None:
+        """Return in what the whole is after a turn in which it is parted, or closed with bread; ``None`` at others."""
+        return self._parted(turn.stage, vessel) or self.stacking.closed(turn.stage, vessel, main=turn.main)
 
     def _parted(self, stage: Stage, vessel: Vessel | None) -> Vessel | None:
         """Return in what flesh is that is lifted out, or what runs through a strainer; ``None`` at any other stage."""
@@ -244,8 +248,9 @@ class Cooking:
             return vessel
         dressed = self._is_dressed(turn, vessel, incoming)
         vessel = self.placing.placed(turn, vessel, incoming, dressed=dressed)
+        self.stacking.lay_open(turn, vessel, incoming)
         tops = incoming.take(self.serving.lies_on_top) if dressed else []
-        self.adding.add_all(replace(turn, main=turn.main and not dressed), vessel, incoming)
+        self.adding.add_all(replace(turn, main=self._may_end(turn, dressed=dressed)), vessel, incoming)
         if not vessel.contents:
             return None
         if dressed:
@@ -255,6 +260,10 @@ class Cooking:
             return self.serving.shaped(stage, vessel, portions)
         self.doing.do(turn, vessel)
         return self.doing.take_out(turn, vessel)
+
+    def _may_end(self, turn: Turn, *, dressed: bool) -> bool:
+        """Whether what joins in a turn may make the whole one: it is the dish, is not ``dressed`` and not left open."""
+        return turn.main and not dressed and not self.stacking.open
 
     def _is_dressed(self, turn: Turn, vessel: Vessel | None, incoming: Incoming) -> bool:
         """Whether what joins a stage dresses a dish that is done; one food alone has nothing to be mixed with."""

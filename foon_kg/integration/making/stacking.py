@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import CHOPPED
-from foon_kg.integration.bench import Vessel, fineness, foods_of, is_flat
-from foon_kg.integration.joining.course import WORKS
+from foon_kg.integration.bench import Bench, Vessel, fineness, foods_of, is_flat
+from foon_kg.integration.joining.course import WORKS, Plan
 from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.making.carrying import Carrier
 from foon_kg.integration.making.hands import Hands
 from foon_kg.integration.making.outcome import MIXTURE
-from foon_kg.integration.making.turns import Incoming, without
+from foon_kg.integration.making.turns import Incoming, Turn, without
+from foon_kg.integration.making.working import Worker
+from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import Stage
 
 _SLICES = word_list("carries what is stacked")
@@ -24,6 +27,37 @@ _SMEARED = word_list("is smeared on it")
 
 class Stacking(Hands):
     """Puts one dish together on a bench."""
+
+    def __init__(self, bench: Bench, plan: Plan, carry: Carrier, work: Worker, ready: Mapping[int, Ready]) -> None:
+        super().__init__(bench, plan, carry, work, ready)
+        self.open: list[Join] = []  # bread of which a half or slices lie below, and the others close it
+
+    def lay_open(self, turn: Turn, vessel: Vessel, incoming: Incoming) -> None:
+        """Lay bread that is ``incoming`` in a ``turn`` below in a ``vessel``, where a later stage folds it.
+
+        It is cut, so the rest of it is for that stage.
+        """
+        if is_flat(vessel.label) and not vessel.contents and any(map(_folds, turn.later)):
+            closing = [join for join in incoming.joins if self._is_cut_to_close(join)]
+            self.open = [join for join in closing if self._lay_below(join, vessel)]
+            incoming.joins = without(incoming.joins, self.open)
+
+    def closed(self, stage: Stage, vessel: Vessel | None, *, main: bool) -> Vessel | None:
+        """Return the ``vessel`` in which what lies open was closed with bread, instead of folded at a ``stage``.
+
+        ``None`` where nothing lies open. ``main``: it is the dish.
+        """
+        if vessel is None or not self.open or not _folds(stage):
+            return None
+        for join in self.open:
+            self._bring_as_usual(join, vessel)
+        self.open = []
+        self.work.name(vessel, self.plan.label if main else stage.label)
+        return vessel
+
+    def _is_cut_to_close(self, join: Join) -> bool:
+        cut = fineness(self.ready[join.want.number].stuff.states, self.known) > 0
+        return cut and join.want.facts.is_any(_CLOSES)
 
     def is_put_together(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
         """Return whether a stacked dish is put together at ``stage``: what it is stacked on joins, or no video has it.
@@ -184,3 +218,8 @@ class Stacking(Hands):
 
 def _is_full(vessel: Vessel) -> bool:
     return bool(vessel.contents)
+
+
+def _folds(stage: Stage) -> bool:
+    """Whether a stage closes with one motion what lies open on a plate."""
+    return stage.motion in word_list("closes by folding") and is_flat(stage.vessel)

@@ -1,0 +1,127 @@
+"""Each food joins the part of its dish that it is for: rub, glaze, crust or sauce; and bread closes a sandwich."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, inside, motions, taking
+
+pytestmark = pytest.mark.shared_data
+
+
+def wholes(told, motion):
+    """Return the foods of each thing that comes of such a motion."""
+    return [set(node.ingredients) for _, one, outputs in told if one == motion for node in outputs]
+
+
+def test_the_other_half_of_a_roll_closes_it_and_is_not_folded(steps):
+    told = steps("sandwich", "Pulled Pork Sandwiches", "pork shoulder:raw", "barbecue sauce:sauce", "onion:sliced",
+                 "water:liquid", "brioche buns:halved", "coleslaw:shredded")  # fmt: skip
+    assert "fold" not in motions(told)
+    laid = [place for place, (inputs, _, _) in enumerate(told) if "brioche buns" in inputs]
+    assert len(laid) > 1
+    assert laid[-1] == len(told) - 1  # the upper half comes last
+
+
+def test_a_flat_bread_is_folded_around_what_is_in_it(steps):
+    told = steps("sandwich", "Breakfast Tacos", "eggs:uncooked", "butter:unmelted", "flour tortillas:plain",
+                 "cheddar cheese:shredded")  # fmt: skip
+    assert "fold" in motions(told)
+
+
+def test_what_is_turned_in_egg_and_crumbs_for_a_sandwich_is_fried_and_the_egg_not_boiled(steps):
+    told = steps("sandwich", "", "roll:halved", "eggplant:sliced", "egg:beaten", "crumb:ground",
+                 "marinara sauce:thick sauce", "provolone:sliced", "oil:juice")  # fmt: skip
+    assert motions(told).count("dip") == 2  # in the egg, in the crumbs
+    assert "boil" not in motions(told)
+    assert {"provolone", "marinara sauce"}.isdisjoint(inside(told, "cook"))
+
+
+def test_a_cobbler_is_a_dough_on_a_stew(steps):
+    told = steps("beef", "Beef Cobbler", "minced beef:uncooked", "onion:chopped", "carrots:diced", "beef stock:liquid",
+                 "self-raising flour:powder:cobbler", "butter:cubed:cobbler", "milk:liquid:cobbler")  # fmt: skip
+    assert inside(told, "shape") == {"self-raising flour", "butter", "milk"}
+    assert motions(told).index("simmer") < motions(told).index("bake")
+    assert all("self-raising flour" not in foods for foods in wholes(told, "simmer"))
+
+
+def test_sugar_and_whites_under_a_heading_are_whisked_and_baked_on_a_pie(steps):
+    told = steps("pie", "Sour Cream Raisin Pie", "pie shell:baked", "raisins:whole", "sour cream:creamy",
+                 "egg yolks:uncooked", "sugar:granulated", "cornstarch:powder",
+                 "egg whites:uncooked:meringue", "caster sugar:granulated:meringue")  # fmt: skip
+    assert inside(told, "whisk") == {"egg whites", "caster sugar"}
+    assert motions(told).count("bake") == 2
+    assert "egg whites" not in inside(told, "mix")
+
+
+def test_fresh_cheese_and_milk_of_a_glaze_are_beaten_by_themselves(steps):
+    told = steps("cake", "Pumpkin Cake with Cream Cheese Glaze", "flour:powder", "sugar:granulated",
+                 "baking soda:powder", "eggs:beaten", "canola oil:liquid", "pumpkin puree:thick sauce",
+                 "cream cheese:softened:glaze", "powdered sugar:sifted:glaze", "milk:liquid:glaze")  # fmt: skip
+    glaze = {"cream cheese", "powdered sugar", "milk"}
+    assert glaze in wholes(told, "blend")
+    assert all(foods <= glaze or foods.isdisjoint(glaze) for foods in wholes(told, "mix"))
+
+
+def test_a_dry_rub_comes_on_the_joint_and_not_on_what_is_roasted_around_it(steps):
+    told = steps("roast", "Coffee-Rubbed Venison Roast", "venison roast:raw", "coffee:ground", "brown sugar:granulated",
+                 "paprika:smoked", "salt:granulated", "carrots:cut", "onion:cut", "beef broth:liquid")  # fmt: skip
+    assert inside(told, "mix") == {"coffee", "brown sugar", "paprika", "salt"}
+    assert "brush" not in motions(told)
+    rubbed = next(place for place, (inputs, _, _) in enumerate(told) if {"mixture", "baking dish"} <= inputs)
+    laid = next(place for place, (inputs, _, _) in enumerate(told) if {"carrots", "baking dish"} <= inputs)
+    assert rubbed < laid
+
+
+def test_gammon_is_roasted_in_its_cider_and_then_under_its_glaze(steps):
+    told = steps("roast", "Cider-Roast Gammon", "gammon joint:smoked", "cider:dry", "onion:halved",
+                 "demerara sugar:granulated", "mustard:creamy", "apples:cut")  # fmt: skip
+    assert inside(told, "stir") == {"demerara sugar", "mustard"}
+    assert motions(told).count("bake") == 2
+    glazed = next(place for place, (inputs, _, _) in enumerate(told) if {"mixture", "baking dish"} <= inputs)
+    assert motions(told).index("bake") < glazed
+
+
+def test_a_butter_that_a_title_names_is_mixed_and_lies_on_what_is_fried(steps):
+    told = steps("steak", "Bavette with Anchovy Butter", "bavette steaks:raw", "groundnut oil:liquid",
+                 "butter:unmelted", "anchovies:chopped", "garlic:crushed", "lemon juice:juice")  # fmt: skip
+    assert inside(told, "mix") == {"butter", "anchovies", "garlic", "lemon juice"}
+    assert {"butter", "anchovies"}.isdisjoint(taking(told, "cook") | inside(told, "cook"))
+
+
+def test_pulses_for_a_loaf_are_cooked_in_the_stock_that_is_listed_behind_them(steps):
+    told = steps("meatloaf", "Lentil Nut Roast Loaf", "red lentils:dried", "vegetable stock:liquid", "oil:liquid",
+                 "onion:chopped", "mushrooms:chopped", "cashews:ground", "crumbs:ground", "egg:beaten")  # fmt: skip
+    assert inside(told, "simmer") == {"red lentils", "vegetable stock"}
+    assert "drain" not in motions(told)
+
+
+def test_soured_milk_behind_what_seasons_balls_is_their_sauce(steps):
+    told = steps("meatball", "", "turkey:ground", "onion:minced", "cumin:ground", "egg:whole raw", "oil:juice",
+                 "salt:ground", "pepper:ground", "yogurt:creamy", "sumac:ground")  # fmt: skip
+    assert inside(told, "stir") == {"yogurt", "sumac"}
+    assert "yogurt" not in inside(told, "mix")
+
+
+def test_short_dough_under_its_heading_is_kneaded_and_what_fills_it_cooked_first(steps):
+    told = steps("pie", "Homity Pie", "flour:powder:pastry", "butter:diced:pastry", "water:cold:pastry",
+                 "potatoes:cubed:filling", "onions:chopped:filling", "oil:liquid:filling",
+                 "cheddar:grated:filling", "double cream:creamy:filling")  # fmt: skip
+    assert inside(told, "knead") == {"flour", "butter", "water"}
+    assert first(told, "potatoes", "boil") < motions(told).index("bake")
+    assert "onions" in inside(told, "cook and stir")
+
+
+def test_an_egg_beside_fruit_and_dough_is_brushed_on_an_upper_crust(steps):
+    told = steps("pie", "Cherry Pie", "pie crust:dough", "cherries:pitted", "sugar:granulated", "cornstarch:powder",
+                 "butter:unmelted", "egg:beaten")  # fmt: skip
+    assert "egg" not in inside(told, "mix")
+    assert sum("pie crust" in inputs and "packet" in inputs for inputs, _, _ in told) == 2
+    assert motions(told).index("mix") < motions(told).index("brush") < motions(told).index("bake")
+
+
+def test_flesh_in_a_white_sauce_lies_under_its_pastry(steps):
+    told = steps("pie", "", "turkey:cooked", "leek:sliced", "mushroom:quartered", "butter:creamy", "flour:ground",
+                 "milk:juice", "pastry:thawed", "egg:beaten")  # fmt: skip
+    assert {"flour", "milk"} <= taking(told, "cook and stir")
+    assert "egg" not in taking(told, "cook and stir")
+    assert motions(told).index("cook and stir") < motions(told).index("brush") < motions(told).index("bake")
