@@ -125,3 +125,19 @@ def test_flesh_in_a_white_sauce_lies_under_its_pastry(steps):
     assert {"flour", "milk"} <= taking(told, "cook and stir")
     assert "egg" not in taking(told, "cook and stir")
     assert motions(told).index("cook and stir") < motions(told).index("brush") < motions(told).index("bake")
+
+
+def test_what_was_fried_comes_onto_the_lower_half_of_a_bun(steps):
+    told = steps("burger", "Beetroot Burgers", "chickpeas:rinsed", "beetroot:grated", "breadcrumbs:crumbs",
+                 "cumin:ground", "egg:uncooked", "oil:liquid:frying", "buns:whole", "rocket:leaves",
+                 "tzatziki:creamy")  # fmt: skip
+    below = first(told, "buns", "pick-and-place")
+    assert "plate" in told[below][0]
+    on_it = {food for node in told[below][2] for food in node.ingredients if node.label == "plate"}
+    assert on_it <= {"buns"}
+
+
+def test_sparkling_water_among_what_seasons_minced_meat_is_in_the_patties(steps):
+    told = steps("burger", "Pljeskavica", "ground beef:uncooked", "onion:finely chopped", "paprika:ground",
+                 "sparkling water:liquid", "salt:granulated", "flatbreads:plain", "kajmak:creamy")  # fmt: skip
+    assert {"ground beef", "sparkling water", "salt"} <= inside(told, "mix")

@@ -73,8 +73,8 @@ class Stacking(Hands):
         Bread comes first and what is spread on it, then what was made and the rest, and bread again; a spread with
         pieces is mixed before. What is fried as a whole gets its fat in the pan.
         """
-        plate = self._plate(vessel)
         slices = incoming.take(self._is_slice)
+        plate = self._plate(vessel, below=bool(slices))
         fats = incoming.take(self._is_fat) if self.plan.grilled else []
         bowl = self.bench.vessel("bowl")
         made = incoming.lines if vessel is None or vessel is plate else [*incoming.lines, vessel]
@@ -93,9 +93,11 @@ class Stacking(Hands):
         self._close(plate)
         return self._heat_through(plate, fats, stage) if self.plan.grilled else plate
 
-    def _plate(self, vessel: Vessel | None) -> Vessel:
-        """Return on what a dish is put together: where it lies, if that is flat."""
-        return vessel if vessel is not None and is_flat(vessel.label) else self.bench.vessel("plate")
+    def _plate(self, vessel: Vessel | None, *, below: bool) -> Vessel:
+        """Return on what a dish is put together: where it lies, if that is flat and nothing comes ``below`` it."""
+        if vessel is None or not is_flat(vessel.label) or (below and vessel.contents):
+            return self.bench.vessel("plate")
+        return vessel
 
     @staticmethod
     def _is_slice(join: Join) -> bool:
