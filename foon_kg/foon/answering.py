@@ -127,7 +127,8 @@ class Answering(Drafting):
 
         Many are answered from the whole FOON as it stands now, where that is cheaper than to ask for what each needs,
         in ``jobs`` processes (as a rule as many cores as it is worth to start one on), or on the cluster of the Dask
-        scheduler at ``dask``; none of it changes an answer. Questions that are not a sequence are taken one by one;
+        scheduler at ``dask``, whose workers ask the graph themselves where it is too large to be read; none of it
+        changes an answer. Questions that are not a sequence are taken one by one;
         ``count`` says how many they are, and without it they are taken for many: the whole FOON is read, on all cores.
         Raises :class:`~foon_kg.model.errors.FoonError` where a process is ended from outside.
 
@@ -174,9 +175,17 @@ class Answering(Drafting):
     def _on_cluster(
         self, questions: Iterable[Question], settings: PlanSettings, dask: str
     ) -> Iterator[Iterable[Answer]]:
-        """Open what answers questions from the whole FOON on the cluster of the scheduler at ``dask``."""
-        from foon_kg.planning.batch import answering_on
+        """Open what answers questions on the cluster of the scheduler at ``dask``: from the whole FOON, sent to all.
 
+        Where no process may read it whole each worker asks the graph, with the address and the password of this one.
+        """
+        from foon_kg.planning.batch import answering_on
+        from foon_kg.planning.cluster import spread_over
+
+        if not settings.with_drafts and self.is_larger_than(WHOLE):
+            with spread_over(partial(_asking, self._needs_server("to ask"), settings), questions, dask) as answers:
+                yield answers
+            return
         with (
             self._viewed(settings, whole=True) as view,
             answering_on(dask, questions, view, settings, view.units) as answers,

@@ -6,10 +6,15 @@ import pytest
 from extras import needs
 from typer.testing import CliRunner
 
+from foon_kg import Foon
 from foon_kg.cli import app
+from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.model.errors import UsageError
+from foon_kg.planning.batch import Question
 from foon_kg.planning.cluster import spread_over
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.store.graph import load
 
 pytestmark = [pytest.mark.slow, needs("distributed")]
 
@@ -64,6 +69,18 @@ def test_recipes_get_the_same_bytes_from_a_cluster(address):
 def test_left_out_videos_get_the_same_bytes_from_a_cluster(address):
     asked = ("leave-one-out", "--dish", "salad")
     assert evaluate(*asked, "--dask", address) == evaluate(*asked, "--jobs", 1)
+
+
+@pytest.mark.neo4j
+def test_of_a_large_foon_each_worker_asks_the_graph_and_nobody_reads_the_whole(address, connection, monkeypatch):
+    load(connection, demo_subgraphs())
+    asked = [Question(path=path) for path in sorted(demo_recipes())[:5]]
+    with Foon(server=connection.settings) as foon, foon.answers(asked, PlanSettings(), jobs=1) as answers:
+        expected = [answer.outcome for answer in answers]
+    monkeypatch.setattr("foon_kg.foon.answering.WHOLE", 0)
+    monkeypatch.setattr("foon_kg.store.graph.Neo4jGraph.snapshot", None)
+    with Foon(server=connection.settings) as foon, foon.answers(asked, PlanSettings(), dask=address) as answers:
+        assert [answer.outcome for answer in answers] == expected
 
 
 def test_a_scheduler_that_does_not_answer_is_named(monkeypatch):
