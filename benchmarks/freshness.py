@@ -2,11 +2,11 @@
 
     python benchmarks/freshness.py [--files FOLDER] [--loads 40] [--seed 1]
 
-Loads the videos of a folder into the Neo4j that NEO4J_URI names or foon-kg's own (name an empty one: FOON_KG_HOME),
-starts foon serve on it and, so many times, replaces one video by itself with a unit more or less, at any moment between
-two looks of the service; then it asks for a summary again and again until the answer names the new edition
-(Foon-Edition). Printed: percentiles of that time and of the slowest answer meanwhile, and what a new edition costs the
-processes of the service in CPU, which says on a busy machine what the seconds do not.
+Loads the videos of a folder (of one format: TXT or JSON) into the Neo4j that NEO4J_URI names or foon-kg's own (name an
+empty one: FOON_KG_HOME), starts foon serve on it and, so many times, replaces one video by itself with a unit more or
+less, at any moment between two looks of the service; then it asks for a summary again and again until the answer names
+the new edition (Foon-Edition). Printed: percentiles of that time and of the slowest answer meanwhile, and what a new
+edition costs the processes of the service in CPU, which says on a busy machine what the seconds do not.
 """
 
 from __future__ import annotations

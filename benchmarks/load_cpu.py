@@ -5,7 +5,8 @@
 
 Needs the public subgraphs beside the checkout, and Linux; the FOON (see big_foon.py) comes on top of what the server of
 FOON_KG_HOME holds: for a load into a fresh graph take a new folder. Elapsed time means something only where nothing
-else runs; CPU seconds grow less with the load of the machine. With ``--files`` the FOON is written to a folder (empty
+else runs; CPU seconds grow less with the load of the machine. The exit code is 1 where all units were there already,
+and so nothing was measured. With ``--files`` the FOON is written to a folder (empty
 or not there yet), and a process of its own reads it (``foon load foon``): its memory is that of the load alone.
 """
 
@@ -25,6 +26,7 @@ from pathlib import Path
 
 from big_foon import big_foon, cuisines, real_subgraphs
 
+from foon_kg import Foon
 from foon_kg.loaders import write_text
 from foon_kg.model import Subgraph
 from foon_kg.store.graph import Connection, load
@@ -93,6 +95,7 @@ def main() -> None:
         write_files(options.files, options.units)
     else:
         subgraphs = big_foon(real_subgraphs(), options.units)
+    there = Foon(server=connection_settings()).unit_count()
     before, started = spent(last.pid), time.perf_counter()
     if options.files:
         own, most = load_files(options.files)
@@ -100,8 +103,11 @@ def main() -> None:
         own, most = load_here(subgraphs, options.transaction)
     took, now = time.perf_counter() - started, spent(last.pid)
     now.subtract(before)
+    new = Foon(server=connection_settings()).unit_count() - there
+    if not new:
+        sys.exit("no unit was new, so nothing was measured: take another FOON_KG_HOME, or more --units")
     alone = "alone" if options.files else "with the FOON"
-    print(f"{options.units:,} units in {took:.1f} s; the program {own:.1f} s of CPU, {most:,.0f} MB {alone}")
+    print(f"{new:,} new units in {took:.1f} s; the program {own:.1f} s of CPU, {most:,.0f} MB {alone}")
     print(f"server {now.total():.1f} s of CPU: " + ", ".join(f"{kind} {now[kind]:.1f}" for kind in sorted(now)))
 
 

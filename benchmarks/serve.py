@@ -3,8 +3,8 @@
     python benchmarks/serve.py [--files FOLDER] [--recipes PATH ...] [--every N] [--jobs N] [--clients N] [--again N]
                                [--writing SECONDS] [--idle SECONDS] [--arriving N ...]
 
-Starts foon serve on a free port with its own limits (but a rate that this one address may reach) and asks for every
-N-th recipe beside the checkout over ``--clients`` kept connections, from a process of its own: once each; then
+Serves as foon serve does, on a free port, with its limits (but a rate that this one address may reach), and asks for
+every N-th recipe beside the checkout over ``--clients`` kept connections, from a process of its own: once each; then
 ``--again`` times in all once more; then as often with what an earlier answer was marked by (``If-None-Match``).
 Printed for each: questions, plans a second, median and 95 % time in ms, CPU ms a question of the processes that plan
 and of the one that serves, statuses. The first line is what planning costs; the others what equal questions cost, which
@@ -14,18 +14,21 @@ moment at which it should have been asked; a service begun anew for each of the 
 ``--writing`` the FOON is that of Neo4j (NEO4J_URI,
 else the local server, whose FOON is replaced by that of ``--files``), and a process of its own takes a video out and
 brings it back, a change every so many seconds; how many changes there were while each line was measured is told.
-``--idle`` waits so long before the first question: processes that nobody asks plan recorded dishes meanwhile.
+``--idle`` waits so long before the first question, of each rate that is asked for, too: processes that nobody asks
+plan recorded dishes meanwhile.
 """
 
 import argparse
 import http.client
 import json
+import socket
 import statistics
 import threading
 import time
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import active_children, get_context
 from multiprocessing.sharedctypes import Synchronized
@@ -33,7 +36,6 @@ from pathlib import Path
 from urllib.parse import urlencode
 
 import psutil
-import uvicorn
 
 from foon_kg import Foon
 from foon_kg.loaders import read_paths
@@ -44,6 +46,8 @@ from foon_kg.store.graph import Connection, load, remove
 from foon_kg.store.server import connection_settings
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.api import web_app
+from foon_kg.web.callers import Callers
+from foon_kg.web.connections import server_of
 from foon_kg.web.foon import FixedFoon, LiveFoon
 from foon_kg.web.limits import Limits
 from foon_kg.web.service import FoonService
@@ -83,16 +87,7 @@ def main() -> None:
     if options.arriving:
         return
     service = FoonService(foon, processes=options.jobs, most=LIMITS.waiting)
-    server = uvicorn.Server(
-        uvicorn.Config(web_app(service, names={"127.0.0.1"}, limits=LIMITS), port=0, log_level="error")
-    )
-    thread = threading.Thread(target=server.run)
-    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as asking:
-        asking.submit(time.time).result()  # it is there before CPU is counted
-        thread.start()
-        while not server.started:
-            time.sleep(0.05)
-        port = server.servers[0].sockets[0].getsockname()[1]
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as asking, served(service, asking) as port:
 
         def measure(asked: list[Asked], *, marked: bool = False) -> Measured:
             before, changed = cpu_seconds(), changes.value
@@ -111,30 +106,36 @@ def main() -> None:
         show("with its mark", measure(repeated, marked=True))
         if options.writing is not None:
             writer.kill()
-        server.should_exit = True
-        thread.join()
+
+
+@contextmanager
+def served(service: FoonService, asking: ProcessPoolExecutor) -> Iterator[int]:
+    """Serve ``service`` as foon serve does and yield its port; the process of ``asking`` has begun then."""
+    asking.submit(time.time).result()  # before CPU is counted
+    server = server_of(web_app(service, names={"127.0.0.1"}, limits=LIMITS), LIMITS, Callers())
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})
+        thread.start()
+        while not server.started:
+            time.sleep(0.05)
+        try:
+            yield listener.getsockname()[1]
+        finally:
+            server.should_exit = True
+            thread.join()
 
 
 def arriving(snapshot: Snapshot, questions: list[Asked], options: argparse.Namespace, rate: float) -> None:
     """Ask a service of its own the questions, ``rate`` a second, and print how long each took."""
     service = FoonService(FixedFoon(snapshot), processes=options.jobs, most=10_000)
-    server = uvicorn.Server(
-        uvicorn.Config(web_app(service, names={"127.0.0.1"}, limits=LIMITS), port=0, log_level="error")
-    )
-    thread = threading.Thread(target=server.run)
-    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as asking:
-        thread.start()
-        while not server.started:
-            time.sleep(0.05)
-        port = server.servers[0].sockets[0].getsockname()[1]
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as asking, served(service, asking) as port:
         begun = [("", [f"chopped onion{' ' * n}", "egg"]) for n in range(2 * options.jobs)]
         asking.submit(ask_all, port, begun, options.clients, marked=False).result()
+        time.sleep(options.idle)
         before, started = cpu_seconds(), time.perf_counter()
         answers = asking.submit(ask_as_they_come, port, questions, rate, options.clients).result()
         spent = [after - then for after, then in zip(cpu_seconds(), before, strict=True)]
         show(f"{rate:g} a second", Measured(time.perf_counter() - started, *spent, answers))
-        server.should_exit = True
-        thread.join()
 
 
 def ask_as_they_come(port: int, questions: list[Asked], rate: float, clients: int) -> list[tuple[int, float]]:
