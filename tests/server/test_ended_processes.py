@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 import sys
 
@@ -39,3 +40,13 @@ def test_one_that_runs_has_not_ended(child):
     assert not has_ended(child)
     child.kill()
     wait_for_end(child, 60)
+
+
+STUBBORN = "import signal, sys; signal.signal(signal.SIGTERM, signal.SIG_IGN); print(flush=True); sys.stdin.read()"
+
+
+def test_one_that_does_not_stop_is_killed_after_so_many_seconds():
+    with psutil.Popen([sys.executable, "-c", STUBBORN], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+        process.stdout.readline()
+        end(process, 0)
+        assert process.wait() == -signal.SIGKILL

@@ -235,11 +235,11 @@ def end_at_once(process: psutil.Process) -> None:
         return
 
 
-def end(process: psutil.Process) -> None:
-    """Ask the process to stop, and insist after a minute; Neo4j recovers from that at its next start."""
+def end(process: psutil.Process, seconds: float = STOP_SECONDS) -> None:
+    """Ask the process to stop, and insist after so many ``seconds``; Neo4j recovers from that at its next start."""
     try:
         process.terminate()
-        wait_for_end(process, STOP_SECONDS)
+        wait_for_end(process, seconds)
     except psutil.TimeoutExpired:
         process.kill()
         wait_for_end(process, STOP_SECONDS)

@@ -29,6 +29,9 @@ from foon_kg.store.server.verified import other_than
 from foon_kg.store.settings import ConnectionSettings
 
 UNUSED_SECONDS = 60 * 86_400
+RECORDING_SECONDS = 600
+"""So long Java may take to stop where it records: it writes down what it has seen then, and nobody waits for it."""
+
 DIGEST = ".sha256"
 TRAINING_PREFIX = "training-"
 TRAINING = (
@@ -133,7 +136,7 @@ class StartupCache:
             with launched(place, processes.free_port(), self.jar_set, self.folder, flags) as (child, settings):
                 processes.wait_for_answer(psutil.Process(child.pid), settings, place)
                 _train(settings)
-                processes.end(psutil.Process(child.pid))
+                processes.end(psutil.Process(child.pid), RECORDING_SECONDS)
                 child.wait()
         if not recording.exists():
             raise ServerError("Java recorded nothing")
