@@ -1,10 +1,12 @@
-// What one knife less costs: each motion that is done with the utensil, in how many units, in which videos, and the
-// utensils of the units that do the same without it. Where those are none, nobody has shown how to do without.
+// What one knife less costs: each motion that is done with the utensil, in how many units, in how many videos, the first
+// ten of these, and the utensils of the units that do the same without it. Where those are none, nobody has shown how
+// to do without.
 // param: utensil STRING
 // example: utensil=knife
 // column: motion
 // column: units
 // column: videos
+// column: first
 // column: otherwise
 // mode: read
 // scans: a verb has no index of its own among the units
@@ -12,7 +14,8 @@ MATCH (:Object {label: $utensil})-[:INPUT_OF]->(m:Motion)
 WITH DISTINCT m
 WITH m.verb AS motion, collect(m) AS lost
 RETURN motion, size(lost) AS units,
-  COLLECT { UNWIND lost AS m MATCH (m)-[:SEEN_IN]->(v:Video) RETURN DISTINCT v.name ORDER BY v.name } AS videos,
+  COUNT { UNWIND lost AS m MATCH (m)-[:SEEN_IN]->(v:Video) RETURN DISTINCT v } AS videos,
+  COLLECT { UNWIND lost AS m MATCH (m)-[:SEEN_IN]->(v:Video) RETURN DISTINCT v.name ORDER BY v.name LIMIT 10 } AS first,
   COLLECT {
     MATCH (other:Motion {verb: motion})<-[:INPUT_OF]-(o:Object)
     WHERE NOT EXISTS { MATCH (other)<-[:INPUT_OF]-(:Object {label: $utensil}) }

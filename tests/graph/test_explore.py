@@ -303,9 +303,9 @@ def test_shared_tasks_are_the_longest_runs_of_steps_that_two_videos_show(connect
         (len(run), tuple(unit.motion for unit in run), tuple(sorted(videos))) for run, videos in runs.items()
     )
     found = ask(connection, "shared_tasks", least="3", most="1000")
-    assert sorted((steps, tuple(motions), tuple(videos)) for steps, motions, _, videos in found) == [
-        row for row in expected if row[0] >= 3
-    ]
+    assert sorted((steps, tuple(motions), videos, tuple(first)) for steps, motions, _, videos, first in found) == sorted(
+        (steps, motions, len(videos), videos[:10]) for steps, motions, videos in expected if steps >= 3
+    )
     assert found[0][0] == max(steps for steps, *_ in expected)
 
 
@@ -329,11 +329,12 @@ def test_without_a_knife_one_peels_with_the_peeler_and_chops_nothing(connection)
     found = {motion: row for motion, *row in ask(connection, "one_utensil_less", utensil="knife")}
     lost = [unit for unit in UNITS if "knife" in labels(unit.input_nodes)]
     assert found.keys() == {unit.motion for unit in lost}
-    for motion, (units, videos, otherwise) in found.items():
+    for motion, (units, videos, first, otherwise) in found.items():
         doing = [unit for unit in lost if unit.motion == motion]
         others = [unit for unit in UNITS - set(lost) if unit.motion == motion]
         assert units == len(doing)
-        assert videos == sorted({name for unit in doing for name in videos_of(unit)})
+        names = sorted({name for unit in doing for name in videos_of(unit)})
+        assert (videos, first) == (len(names), names[:10])
         assert otherwise == sorted(set().union(*map(utensils, others)))
     assert "peeler" in found["peel"][-1]
     assert found["chop"][-1] == []
