@@ -1,6 +1,6 @@
 """What a load into the local server costs: CPU seconds of this program, and of Java by what its threads are for.
 
-    FOON_KG_HOME=FOLDER python benchmarks/load_cpu.py [--units N] [--transaction N]
+    FOON_KG_HOME=FOLDER python benchmarks/load_cpu.py [--units N] [--transaction N] [--anew]
     FOON_KG_HOME=FOLDER python benchmarks/load_cpu.py --units N --files FILES
 
 Needs the public subgraphs beside the checkout, and Linux; the FOON (see big_foon.py) comes on top of what the server of
@@ -8,6 +8,7 @@ FOON_KG_HOME holds: for a load into a fresh graph take a new folder. Elapsed tim
 else runs; CPU seconds grow less with the load of the machine. The exit code is 1 where all units were there already,
 and so nothing was measured. With ``--files`` the FOON is written to a folder (empty
 or not there yet), and a process of its own reads it (``foon load foon``): its memory is that of the load alone.
+``--anew`` then has all that is there learnt anew, as the first load after an upgrade does, and tells that, too.
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ from foon_kg import Foon
 from foon_kg.loaders import write_text
 from foon_kg.model import Subgraph
 from foon_kg.store.graph import Connection, load
+from foon_kg.store.graph.free_cypher import ask_freely
 from foon_kg.store.graph.loading import UNITS_PER_TRANSACTION
 from foon_kg.store.server import connection_settings
 from foon_kg.store.server.home import home
@@ -79,10 +81,27 @@ def write_files(folder: Path, units: int) -> None:
         (folder / f"{subgraph.name}.txt").write_text(write_text(subgraph), encoding="utf-8")
 
 
+def learn_anew(subgraph: Subgraph) -> float:
+    """Have all operators and frames learnt anew, by a load of what is there; return the CPU seconds of this program."""
+    cpu = time.process_time()
+    with Connection(connection_settings()) as connection:
+        ask_freely(connection, "MATCH (f:Foon) SET f.methods = 'another program'", write=True)
+        load(connection, [subgraph])
+    return time.process_time() - cpu
+
+
+def tell(what: str, seconds: float, own: str, server: Counter[str]) -> None:
+    """Print ``what`` took so many ``seconds`` by the clock, what ``own`` this program took, and the ``server``."""
+    print(f"{what} in {seconds:.1f} s; the program {own}")
+    kinds = ", ".join(f"{kind} {server[kind]:.1f}" for kind in sorted(server))
+    print(f"server {server.total():.1f} s of CPU: {kinds}")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--units", type=int, default=20_000)
     parser.add_argument("--transaction", type=int, default=UNITS_PER_TRANSACTION, help="how many units one has")
+    parser.add_argument("--anew", action="store_true", help="have all learnt anew afterwards")
     parser.add_argument("--files", type=Path, help="write the FOON here, and load it by another process")
     options = parser.parse_args()
     gc.set_threshold(1_000_000, 50, 100)  # as every command of foon has it
@@ -102,13 +121,16 @@ def main() -> None:
     else:
         own, most = load_here(subgraphs, options.transaction)
     took, now = time.perf_counter() - started, spent(last.pid)
-    now.subtract(before)
     new = Foon(server=connection_settings()).unit_count() - there
     if not new:
         sys.exit("no unit was new, so nothing was measured: take another FOON_KG_HOME, or more --units")
     alone = "alone" if options.files else "with the FOON"
-    print(f"{new:,} new units in {took:.1f} s; the program {own:.1f} s of CPU, {most:,.0f} MB {alone}")
-    print(f"server {now.total():.1f} s of CPU: " + ", ".join(f"{kind} {now[kind]:.1f}" for kind in sorted(now)))
+    tell(f"{new:,} new units", took, f"{own:.1f} s of CPU, {most:,.0f} MB {alone}", now - before)
+    if options.anew:
+        before, started = spent(last.pid), time.perf_counter()
+        own = learn_anew((subgraphs or real_subgraphs())[0])
+        took = time.perf_counter() - started
+        tell(f"{there + new:,} units learnt anew", took, f"{own:.1f} s of CPU", spent(last.pid) - before)
 
 
 if __name__ == "__main__":

@@ -303,7 +303,8 @@ def test_shared_tasks_are_the_longest_runs_of_steps_that_two_videos_show(connect
         (len(run), tuple(unit.motion for unit in run), tuple(sorted(videos))) for run, videos in runs.items()
     )
     found = ask(connection, "shared_tasks", least="3", most="1000")
-    assert sorted((steps, tuple(motions), videos, tuple(first)) for steps, motions, _, videos, first in found) == sorted(
+    told = [(steps, tuple(motions), videos, tuple(first)) for steps, motions, _, videos, first in found]
+    assert sorted(told) == sorted(
         (steps, motions, len(videos), videos[:10]) for steps, motions, videos in expected if steps >= 3
     )
     assert found[0][0] == max(steps for steps, *_ in expected)
