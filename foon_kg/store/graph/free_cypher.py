@@ -27,7 +27,7 @@ from foon_kg.store.graph.deadline import Deadline
 from foon_kg.store.graph.incoming import bound, too_much_came
 from foon_kg.store.graph.interruptible import interruptible
 from foon_kg.store.graph.looking import ADD_WRITE, PROCEDURES, only_looking, refuse_the_endless
-from foon_kg.store.graph.patterns import TOO_LONG, bounded_texts, too_long
+from foon_kg.store.graph.patterns import bounded_texts, too_long
 from foon_kg.store.graph.preface import without_plan_word
 from foon_kg.store.graph.question_words import asked, put_around, read_pieces
 from foon_kg.store.graph.told_plans import COLUMNS, PROFILED, name_and_details, operators, rows_of
@@ -342,8 +342,8 @@ def _explained(error: driver_errors.Neo4jError, deadline: Deadline, text: str | 
         return WriteRefused("this would change the graph", hint=ADD_WRITE)
     if code.startswith(_TIMED_OUT):
         return deadline.late()
-    if text is None and TOO_LONG in (error.message or ""):
-        return too_long()
+    if text is None and (refused := too_long(error.message or "")):
+        return refused
     if code in _NO_MEMORY:
         return GraphError(
             "this question needs more memory than the server has", hint="Ask for less at once.", code="memory"

@@ -17,23 +17,20 @@ from typing import Any
 from foon_kg.model.errors import GraphError
 from foon_kg.store.graph.question_words import CLOSED, Around, Token, partners, too_much
 
-LONGEST_TEXT = {2: 10_000, 3: 500, 4: 100}
-"""How many characters may be held against a pattern that says “as many as there are” (``*``, ``+``, ``{…}``) twice, and
-so on; ``?``, or more than ``MANY_WAYS`` ways, counts as one more. Each is a factor of a text's length: some 10⁸ steps
-at most in each way, a second or so."""
+MOST_STEPS = 100_000_000
+"""So many steps of matching take a server some seconds: a text's length, multiplied by itself for each “as many as
+there are” (``*``, ``+``, ``{…}``) of its pattern, in each of the ways."""
 
-MOST_UNBOUNDED = max(LONGEST_TEXT) - 1
-"""How often a pattern may say “as many as there are”, so that with a ``?`` beside there is a bound to its texts."""
-
-MANY_WAYS = 16
-"""The ways to match a pattern are its alternatives (``|``), multiplied by those of other groups, and twice as many for
-each “or nothing” (``?``): Java tries them all where a text does not match."""
+MOST_UNBOUNDED = 3
+"""How often a pattern may say “as many as there are”."""
 
 MOST_WAYS = 1_024
-"""So many ways are the most, one group apart: a list of names may be long."""
+"""The ways to match a pattern are its alternatives (``|``), multiplied by those of its groups, and twice as many for
+each “or nothing” (``?``): Java tries them all where a text does not match. So many are the most, one group apart: a
+list of names may be long."""
 
-TOO_LONG = "a text is too long for its pattern"
-"""What the server says of one, in the words of a date that is none."""
+LONGEST_TEXT = 1_000_000
+"""A pattern that bears texts of more characters has no bound: nobody has such texts."""
 
 PLAINER_PATTERN = "Use CONTAINS or STARTS WITH, or a plainer pattern: “.*(onion|leek).*”."
 
@@ -61,7 +58,10 @@ _REFUSED = {
     "unknown_escape": "has a sign behind a backslash that is not known here",
     "flag_x": "has the flag x, behind which spaces hide what it repeats",
 }
-_BOUNDED = f"CASE WHEN size(toStringOrNull(text)) > {{most}} THEN date('{TOO_LONG}') ELSE text END"
+_TOO_LONG = "a text is longer than its pattern bears: "
+"""What the server says of one, in the words of a date that is none; then comes how many characters it bears."""
+
+_BOUNDED = f"CASE WHEN size(toStringOrNull(text)) > {{most}} THEN date('{_TOO_LONG}{{most}}') ELSE text END"
 _WORDS_BEFORE = frozenset(
     {"and", "by", "case", "distinct", "else", "not", "or", "return", "then", "when", "where", "with", "xor"}
 )
@@ -132,7 +132,7 @@ def bounded_texts(pieces: Sequence[Token], parameters: Mapping[str, Any]) -> Ite
     """Yield what is put around each text that is held against a pattern, such that a server refuses one too long.
 
     ``pieces`` are all those of the question, spaces too, asked with ``parameters``; the places are places in them. Only
-    a pattern that has an entry in ``LONGEST_TEXT`` bounds its texts. Raises GraphError where it is not plain what that
+    a pattern that bears no text of ``LONGEST_TEXT`` bounds its texts. Raises GraphError where it is not plain what that
     text is.
 
     >>> from foon_kg.store.graph.question_words import put_around, read_pieces
@@ -143,19 +143,22 @@ def bounded_texts(pieces: Sequence[Token], parameters: Mapping[str, Any]) -> Ite
     places = [place for place, piece in enumerate(pieces) if piece.kind != "space"]
     tokens = [pieces[place] for place in places]
     for at in _places(tokens):
-        most = LONGEST_TEXT.get(_Pattern.read(_pattern(tokens[at + 2 :], parameters)).degree)
-        if most is not None:
+        most = _Pattern.read(_pattern(tokens[at + 2 :], parameters)).longest_text
+        if most < LONGEST_TEXT:
             first = places[_begin_of_operand(tokens, at - 1)]
             yield Around(first, "[text IN [", places[at - 1], f"] | {_BOUNDED.format(most=most)}][0]")
 
 
-def too_long() -> GraphError:
-    """Return the error for a text that is longer than what may be held against its pattern (:data:`LONGEST_TEXT`)."""
-    most = ", ".join(f"{most:,} characters with {degree}" for degree, most in LONGEST_TEXT.items())
-    return too_much(
-        f"{TOO_LONG}, which bounds it by how many *, + and {{…}} it has, and one more for ? or many |: {most}",
-        hint=PLAINER_PATTERN,
-    )
+def too_long(message: str) -> GraphError | None:
+    """Return the error that a ``message`` of a server means which refused a text (:func:`bounded_texts`).
+
+    ``None`` where it says something else.
+
+    >>> print(too_long("Text cannot be parsed to a Date: a text is longer than its pattern bears: 10000"))
+    this question is too much to ask: a text is longer than its pattern bears: 10,000 characters
+    """
+    told = re.search(_TOO_LONG + r"(\d+)", message)
+    return told and too_much(f"{_TOO_LONG}{int(told[1]):,} characters", hint=PLAINER_PATTERN)
 
 
 @dataclass(frozen=True)
@@ -184,13 +187,14 @@ class _Pattern:
 
     @property
     def ways(self) -> int:
-        """In how many ways it may be matched, repetitions apart (``MANY_WAYS``)."""
+        """In how many ways it may be matched, repetitions apart (``MOST_WAYS``)."""
         return int(prod(self.alternatives) * 2 ** self.kinds.count("optional"))
 
     @property
-    def degree(self) -> int:
-        """The power of a text's length that is how many steps matching it may take."""
-        return self.kinds.count("unbounded") + ("optional" in self.kinds or self.ways > MANY_WAYS)
+    def longest_text(self) -> int:
+        """How many characters a text may have that is held against it."""
+        degree = self.kinds.count("unbounded")
+        return int((MOST_STEPS / min(self.ways, MOST_STEPS)) ** (1 / degree)) if degree else LONGEST_TEXT
 
 
 def _refuse_if_hard(text: str) -> None:
