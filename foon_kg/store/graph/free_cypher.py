@@ -100,6 +100,8 @@ class _Question:
     parameters: dict[str, Any]
     limit: int
     deadline: Deadline
+    makes_transactions: bool
+    """Whether it changes something in transactions of its own, of which the earlier ones stay whatever comes."""
 
     @property
     def is_asked_as_typed(self) -> bool:
@@ -118,7 +120,8 @@ def ask_freely(
 ) -> Answer:
     """Return what ``text`` answers on ``connection``, at most ``limit`` rows.
 
-    It is run once, with ``parameters``; a change that had to be ended for another's is tried again.
+    It is run once, with ``parameters``; a change that had to be ended for another's is tried again. Of a change that is
+    not answered nothing stays, but where it makes transactions of its own: then the error says that some of it does.
 
     Raises :class:`~foon_kg.model.errors.WriteRefused` for anything but a look at the graph (unless ``write``), and, be
     it to ``write`` or not, for a text in which something could hide. Raises GraphError, by its code, where the text is
@@ -132,7 +135,7 @@ def ask_freely(
 
     def ask() -> Answer:
         at_once = min(limit + 1, MOST_AT_ONCE)  # one row more than is shown tells that there are more
-        with connection.session(writing=write, warned=True, at_once=at_once) as session, _server_ended():
+        with connection.session(writing=write, warned=True, at_once=at_once) as session, _server_ended(question):
             return _ask_to_write(session, question) if write else _ask_to_look(session, question)
 
     return question.deadline.within(ask, writing=write)
@@ -145,17 +148,18 @@ def _question(text: str, parameters: dict[str, Any], limit: int, deadline: Deadl
         refuse_the_endless(asked(pieces), parameters)
     bounded = put_around(pieces, bounded_texts(pieces, parameters))
     endable = interruptible(pieces, parameters, writing=write)
-    return _Question(text, *without_plan_word(pieces), bounded, endable, parameters, limit, deadline)
+    parts = any(piece.lower in {"transaction", "transactions"} for piece in pieces)
+    return _Question(text, *without_plan_word(pieces), bounded, endable, parameters, limit, deadline, parts)
 
 
 @contextmanager
-def _server_ended() -> Iterator[None]:
+def _server_ended(question: _Question) -> Iterator[None]:
     """Raise a GraphError where the server is lost that had let us in; what it lost us for may be the answer itself."""
     try:
         yield
     except (driver_errors.SessionExpired, driver_errors.ServiceUnavailable) as error:
         if too_much_came(error):
-            raise _too_large() from error
+            raise _too_large(question) from error
         raise GraphError(
             "the server ended while it was at this question, most likely because it needed too much memory",
             hint="Ask for less. foon-kg's own server starts again with the next command.",
@@ -239,7 +243,20 @@ def _answered_plan(plan: Mapping[str, Any] | None, limit: int, *, profiled: bool
 
 def _run(session: neo4j.Session, text: str, question: _Question) -> Answer:
     """Return what ``text`` answers, which is the ``question`` in these or those words."""
-    result = session.run(_in_time(text, question), question.parameters)
+    return _read(session, session.run(_in_time(text, question), question.parameters), question)
+
+
+def _run_whole(session: neo4j.Session, text: str, question: _Question) -> Answer:
+    """Return what a write answers, in a transaction of which nothing stays where there is no answer or no time left."""
+    with session.begin_transaction(timeout=question.deadline.left()) as transaction:
+        answer = _read(session, transaction.run(text, question.parameters), question)
+        question.deadline.left()  # who asked is told soon that there is no answer
+        transaction.commit()
+    return answer
+
+
+def _read(session: neo4j.Session, result: neo4j.Result, question: _Question) -> Answer:
+    """Return the rows of a ``result``; raises GraphError where they are too large."""
     columns = tuple(result.keys())
     records: list[neo4j.Record] = []
     characters = 0
@@ -247,14 +264,13 @@ def _run(session: neo4j.Session, text: str, question: _Question) -> Answer:
         for record in result:
             characters += sum(map(_size, record.values()))
             if characters > LARGEST_ANSWER:
-                raise _too_large()
+                raise _too_large(question)
             records.append(record)
             if len(records) > question.limit:
                 break
         summary = result.consume()
-    counted = vars(
-        summary.counters
-    )  # the driver lists its counters nowhere; among them stand truths (contains_updates)
+    # The driver lists its counters nowhere; beside them stand truths (contains_updates), which are no int by type.
+    counted = vars(summary.counters)
     changes = {name: count for name, count in sorted(counted.items()) if type(count) is int and count}
     if summary.profile:
         return replace(_answered_plan(summary.profile, question.limit, profiled=True), changes=changes)
@@ -268,32 +284,35 @@ def _run_again(session: neo4j.Session, text: str, question: _Question) -> Answer
     It is no busy loop: the next time it waits in the server until the other is done. Where it makes transactions of its
     own some of them may stay: such a question is not asked again.
     """
-    again = not any(token.lower in {"transaction", "transactions"} for token in read_pieces(text))
     while True:
         try:
-            return _run(session, text, question)
+            return (_run if question.makes_transactions else _run_whole)(session, text, question)
         except driver_errors.TransientError as error:
             if error.code != _WAITED_FOR_EACH_OTHER:
                 raise
-            if not again or question.deadline.is_over:
-                raise _waited(again=again) from error
+            if question.makes_transactions or question.deadline.is_over:
+                raise _waited(question) from error
 
 
-def _waited(*, again: bool) -> GraphError:
-    told = "nothing was changed" if again else "what its earlier transactions changed stays"
+def _waited(question: _Question) -> GraphError:
     return GraphError(
-        f"this and another change waited for each other, and this was ended: {told}",
-        hint="Ask again.",
+        "this and another change waited for each other, and this was ended",
+        hint="Ask again." + _what_stays(question),
         code="waited",
     )
 
 
-def _too_large() -> GraphError:
+def _too_large(question: _Question) -> GraphError:
     return GraphError(
         f"the answer is larger than {LARGEST_ANSWER // 1_000_000} MB",
-        hint="Ask for fewer rows or columns, or for counts.",
+        hint="Ask for fewer rows or columns, or for counts." + _what_stays(question),
         code="too-much",
     )
+
+
+def _what_stays(question: _Question) -> str:
+    """Return what there is to say of a change that was not answered."""
+    return " What its earlier transactions changed stays." if question.makes_transactions else ""
 
 
 def _size(value: object) -> int:
@@ -333,15 +352,15 @@ def _faults_in(question: _Question, text: str | None, *, lines_before: int = 0) 
     try:
         yield
     except driver_errors.Neo4jError as error:
-        raise _explained(error, question.deadline, text, lines_before) from error
+        raise _explained(error, question, text, lines_before) from error
 
 
-def _explained(error: driver_errors.Neo4jError, deadline: Deadline, text: str | None, lines_before: int) -> GraphError:
+def _explained(error: driver_errors.Neo4jError, question: _Question, text: str | None, lines_before: int) -> GraphError:
     code = error.code or ""
     if code == _ACCESS_MODE:
         return WriteRefused("this would change the graph", hint=ADD_WRITE)
     if code.startswith(_TIMED_OUT):
-        return deadline.late()
+        return question.deadline.late(more=_what_stays(question))
     if text is None and (refused := too_long(error.message or "")):
         return refused
     if code in _NO_MEMORY:
