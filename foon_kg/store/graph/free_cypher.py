@@ -44,9 +44,6 @@ LARGEST_ANSWER = 16_000_000
 MOST_ON_THE_WIRE = 2 * LARGEST_ANSWER
 """So many bytes of it are read: what a row holds is known only once it is there whole."""
 
-MOST_AT_ONCE = 1_000
-"""Rows that the server sends without being asked for more."""
-
 _REFUSED_OPERATORS = ("AdministrationCommand", "LoadCSV", "Show", "Terminate", "Transaction")
 _SHOWN = frozenset({"ShowIndexes", "ShowConstraints"})
 _ASKED_FOR_ITS_PLAN = "EXPLAIN\n"
@@ -134,7 +131,8 @@ def ask_freely(
     question = _question(text, dict(parameters or {}), limit, Deadline.after(timeout), write=write)
 
     def ask() -> Answer:
-        at_once = min(limit + 1, MOST_AT_ONCE)  # one row more than is shown tells that there are more
+        # One row more than is shown tells that there are more. Of many, as many come at once as the driver has chosen.
+        at_once = limit + 1 if limit < ROW_LIMIT else None
         with connection.session(writing=write, warned=True, at_once=at_once) as session, _server_ended(question):
             return _ask_to_write(session, question) if write else _ask_to_look(session, question)
 
