@@ -53,7 +53,7 @@ def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want
         units,
         leaves_of(units),
         (*_objects(bench, others), *_motions(bench), *dict.fromkeys(_states(bench, cooking, wants))),
-        tuple(_assumptions(bench, cooking)),
+        tuple(dict.fromkeys(_assumptions(bench, cooking))),
     )
 
 
@@ -142,11 +142,9 @@ def _foods_among(mentions: Sequence[Mention], known: Tables) -> list[int | None]
 
 def _assumptions(bench: Bench, cooking: Cooking) -> Iterator[Assumption]:
     """Yield what was assumed of each food, said of the first node that shows it: contract C6 lets nothing be silent."""
-    for number in sorted(cooking.ready):
-        ready = cooking.ready[number]
-        if not ready.assumptions:
-            continue
+    asked = [(ready.stuff.number, ready.assumptions) for _, ready in sorted(cooking.ready.items())]
+    for number, why in (*asked, *((number, [why]) for number, why in bench.assumed.items())):
         inputs = (mention for done in bench.done for mention in done.step.inputs)
-        node = next((mention.node for mention in inputs if mention.thing == ready.stuff.number), None)
+        node = next((mention.node for mention in inputs if mention.thing == number), None) if why else None
         if node is not None:
-            yield Assumption(node, "; ".join(dict.fromkeys(ready.assumptions)))
+            yield Assumption(node, "; ".join(dict.fromkeys(why)))

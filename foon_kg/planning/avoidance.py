@@ -7,11 +7,13 @@ name, under what is avoided (*walnut oil*). What is left out is always said, wit
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
 from foon_kg.food import words
+from foon_kg.food.lists import word_list
+from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import ObjectNode, Recipe
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
@@ -52,6 +54,21 @@ def kitchen_without(kitchen: Kitchen, avoided: Sequence[str]) -> Kitchen:
     """Return ``kitchen`` in which no avoided food is free to use."""
     free = frozenset(food for food in kitchen.free_foods if why_avoided(food, avoided) is None)
     return kitchen if free == kitchen.free_foods else replace(kitchen, free_foods=free)
+
+
+def household_fat(wants: Sequence[Want], title: str, kitchen: Kitchen, avoided: Collection[str]) -> str:
+    """Return the fat in which a dish of ``wants``, called ``title``, may be fried though nobody asked for any.
+
+    There is none (``""``) where fat, or what gives its own, is asked, where the title says that it is without, where it
+    is ``avoided``, and where a person named a ``kitchen`` that has none.
+    """
+    fat = min(word_list("fat of a household"))
+    if any(want.facts.is_any(word_list("brings fat to the pan")) for want in wants):
+        return ""
+    said = any(phrase in title.casefold() for phrase in word_list("says that it is without fat"))
+    if said or why_avoided(fat, tuple(avoided)) is not None:
+        return ""
+    return "" if kitchen.lacks(ObjectNode(fat, ("liquid",), (), "in", "bottle")) else fat
 
 
 def names_avoided(node: ObjectNode, avoided: Sequence[str]) -> bool:

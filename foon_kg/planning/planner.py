@@ -41,7 +41,7 @@ from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.knowledge import FAIR
 from foon_kg.planning.attempt import Attempt
-from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
+from foon_kg.planning.avoidance import household_fat, kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.planning.considered import Considered, made_after, nearer_goals, other_goals
 from foon_kg.planning.dish_names import as_told, eased, has_its_name, made_as, refuse_unknown_type, with_core
 from foon_kg.planning.explanation import Explanation, explanations
@@ -108,7 +108,7 @@ class Planner:
         """Return what the FOON teaches of making a dish of ``foods``."""
         if self.in_parts:
             chosen = [substitute.like for substitute in self.settings.substitutes]
-            free = sorted(self.settings.kitchen.free_foods)
+            free = sorted({*self.settings.kitchen.free_foods, *word_list("fat of a household")})
             methods = self.view.methods_for([*foods, *chosen, *free], dish_type)
         else:
             methods = self.view.methods() if self._latest is None else self._latest.methods
@@ -282,8 +282,7 @@ class PlannedRecipe:
         return hint
 
     def _attempt(self, fit: Fit) -> Attempt:
-        frame = fit.frame
-        dish_type = self.recipe.dish_type or frame.dish_type
+        frame, dish_type = fit.frame, self.recipe.dish_type or fit.frame.dish_type
         asked = Asked(self.wants, dish_type, self.recipe.title or "", self.known)
         tin = next((dish.tin for dish in reversed(asked.dishes) if dish.tin), "")
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.likes.instead)
@@ -293,14 +292,14 @@ class PlannedRecipe:
         label = frame.goal.label if has_its_name(fit, asked, dish_type, tin, self.technique) else dish_type
         plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased(asked), one_pot=one_pot)
         drunk, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
-        plan = replace(plan, drunk=drunk, cold=cold, cooled=asked.is_eaten_cold, by_bites=asked.by_bites)
+        fat = household_fat(self.wants, asked.title, self.kitchen, self.settings.avoided)
+        plan = replace(plan, drunk=drunk, cold=cold, cooled=asked.is_eaten_cold, by_bites=asked.by_bites, fat=fat)
         plan = as_told(plan, asked, tin) if self.technique is None else replace(plan, by_table=True)
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
         tree = with_unheeded(with_parts_told(tree, self.inferred, self.recipe), self.asks, self.wants, self.known)
-        tree = with_core_told(tree, self.core)
-        result = self._result(fit, tree, dish_type)
+        result = self._result(fit, with_core_told(tree, self.core), dish_type)
         self._refuse_avoided(result)
         report = check(result.tree, free=self.kitchen.free_foods, named_so=self.kitchen.names_so)
         return Attempt(replace(fit, joins=joins), result, report, self._missing(result), cooking)

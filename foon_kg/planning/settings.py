@@ -52,5 +52,5 @@ class PlanSettings:
     def __post_init__(self) -> None:
         odd = next((name for name in self.avoided if not any(letter.isalpha() for letter in canonical(name))), None)
         if odd is not None:
-            hint = "Name a food, or a kind of food, as in: nuts."
+            hint = "Name a food, or a kind of food, in letters."
             raise UsageError(f"“{odd}” is no food that can be avoided", hint=hint)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 
 from foon_kg.food import Food, singular, words
+from foon_kg.food.lists import word_list
 from foon_kg.food.parted import parts_asked
 from foon_kg.food.rows import State
 from foon_kg.food.told_states import in_turn
@@ -13,7 +14,7 @@ from foon_kg.model import DISH_TYPES, ObjectNode
 from foon_kg.validation.case import Case, was_taken_out
 from foon_kg.validation.dish import missing_namesakes
 from foon_kg.validation.report import Finding
-from foon_kg.world import PlayedStep
+from foon_kg.world import Part, PlayedStep
 from foon_kg.world.reading import NodeReading
 
 _CLOSES = ("switch off", "close", "uncover", "open", "detach", "discard", "clean")
@@ -202,8 +203,21 @@ def nothing_else(case: Case) -> Iterator[Finding]:
     for part in case.world.supply.parts:
         if part.name in told or part.food.is_a("made") or case.is_wanted(part.name) or case.is_free(part.name):
             continue
+        if _is_for_frying(case, part):
+            continue
         told.add(part.name)
         yield Finding("C5", f"{part.name} comes from the kitchen and nobody asked for it", part.taken)
+
+
+def _is_for_frying(case: Case, part: Part) -> bool:
+    """Whether a food is the household's fat, told among the assumptions, that something was fried in."""
+    told = any(singular(entry.node.label) == part.name for entry in case.tree.assumptions or ())
+    heated = (lump for played in case.played_steps if played.heated for lump in played.inputs)
+    return (
+        told
+        and part.name in word_list("fat of a household")
+        and part.name in {one.name for lump in heated for one in lump.parts}
+    )
 
 
 def free_foods(case: Case) -> tuple[str, ...]:

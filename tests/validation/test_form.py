@@ -281,3 +281,41 @@ def test_every_finding_of_form_is_fatal():
 def test_a_goal_that_no_step_puts_out_is_named_in_the_finding():
     tree = TaskTree("empty", (), goal=ObjectNode("soup"))
     assert [str(one) for one in check(tree).of(["C2"])] == ["C2: the tree has no step with food"]
+
+
+FRIED = """dish: omelette
+asked: egg (whole)
+{told}
+egg (whole; in carton) + bowl (empty) → CRACK → egg (cracked; in bowl) + bowl ({{egg}})
+pan (empty) + stove (off) → PUT → pan (empty; on stove) + stove (off; under pan)
+{fat} (liquid; in bottle) + pan (empty; on stove) → POUR → {fat} (liquid; in pan) + pan ({{{fat}}}; on stove)
+stove (off; under pan) → TURN ON → stove (on; under pan)
+egg (cracked; in bowl) + bowl ({{egg}}) + pan ({{{fat}}}; on stove) → POUR
+  → egg (cracked; in pan) + pan ({{egg, {fat}}}; on stove) + bowl (empty)
+egg (cracked; in pan) + {fat} (liquid; in pan) + pan ({{egg, {fat}}}; on stove) + stove (on; under pan) → FRY
+  → omelette (fried; {{egg, {fat}}}; in pan) + pan (hot; {{omelette}}; on stove)
+stove (on; under pan) → TURN OFF → stove (off; under pan)
+"""
+
+
+@pytest.mark.parametrize(
+    ("fat", "told", "refused"),
+    [
+        ("oil", "assumed: oil (liquid; in bottle): nobody asked for fat", False),
+        ("oil", "", True),
+        ("vinegar", "assumed: vinegar (liquid; in bottle): nobody asked for it", True),
+    ],
+)
+def test_c5_the_fat_of_the_household_is_free_to_fry_in_where_it_is_told(fat, told, refused):
+    assert bool(found("C5", FRIED.format(fat=fat, told=told))) is refused
+
+
+def test_c5_the_fat_of_the_household_is_not_free_on_a_salad():
+    text = """dish: salad
+asked: tomato (sliced)
+assumed: oil (liquid; in bottle): nobody asked for fat
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+oil (liquid; in bottle) + tomato (sliced; on plate) + plate ({tomato}) → POUR
+  → salad ({oil, tomato}; on plate) + plate ({salad})
+"""
+    assert found("C5", text)

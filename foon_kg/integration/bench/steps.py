@@ -38,6 +38,8 @@ class Steps(Inventory):
         self.instead = instead
         self.done: list[Done] = []
         self.phase = "prepare"
+        self.assumed: dict[int, str] = {}
+        """Why a thing is there that nobody asked for, by its number."""
 
     # --- evidence ---
 

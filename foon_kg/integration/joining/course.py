@@ -29,7 +29,7 @@ class Plan:
     ``laid``: it lies on dough, and bakes no longer than that; ``portioned``: its dough is cut into pieces;
     ``spooned``: all that is in it is eaten with the spoon; ``by_bites``: with a spoon or fork alone;
     ``drunk``: it is served in a glass; ``closed_by``: what is done at last to bread around what lies on it;
-    ``by_table``: a technique says all of it.
+    ``by_table``: a technique says all of it; ``fat`` is what it may be fried in though nobody asked for any.
     """
 
     label: str
@@ -52,6 +52,7 @@ class Plan:
     drunk: bool = False
     closed_by: str = ""
     by_table: bool = False
+    fat: str = ""
 
     @property
     def has_a_side(self) -> bool:

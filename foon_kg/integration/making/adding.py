@@ -28,6 +28,7 @@ class Adding:
         self.placing = placing
         self.stages = placing.stages
         self.work = placing.work
+        self.frying = alone.frying
         self.smoothing = Smoothing(self.bench, self.plan, self.carry, self.work, self.ready)
 
     def add_all(self, turn: Turn, vessel: Vessel, incoming: Incoming) -> None:
@@ -56,9 +57,21 @@ class Adding:
         """Return whether a pan is hot before more than fat comes into it; where it would be dry it gets fat."""
         if any(map(_is_fat, ordered)):
             return True
-        if vessel.contents or not self.stages.would_be_dry(stage, ordered):
+        if vessel.contents:
             return False
-        return self.carry.add_fat(vessel, self.plan) or "heat" in stage.does
+        if not self.stages.would_be_dry(stage, ordered):
+            return self._is_fried_in_own(stage, vessel, ordered)
+        return (
+            self.carry.add_fat(vessel, self.plan)
+            or self._is_fried_in_own(stage, vessel, ordered)
+            or "heat" in stage.does
+        )
+
+    def _is_fried_in_own(self, stage: Stage, vessel: Vessel, ordered: Sequence[Join | Vessel]) -> bool:
+        """Whether fat of the household came into a pan for what is fried there, where nobody asked for any."""
+        if "heat" not in stage.does or not stage.does.isdisjoint({"dry", "liquid"}):
+            return False
+        return self.frying.add_fat(vessel, [stuff for one in ordered for stuff in self._stuffs(one)])
 
     def _stuffs(self, one: Join | Vessel) -> list[Stuff]:
         """Return what comes with a food or another vessel."""

@@ -10,7 +10,7 @@ from foon_kg.food.rows import POWDER
 from foon_kg.integration.bench import Bench, Stuff, Vessel
 from foon_kg.integration.joining.course import MIXES
 from foon_kg.integration.joining.spots import Join
-from foon_kg.integration.making.carrying import Carrier
+from foon_kg.integration.making.carrying import Carrier, Frying
 from foon_kg.integration.making.cooling import Cooling
 from foon_kg.integration.making.outcome import says_raw
 from foon_kg.integration.making.precooking import Precooking
@@ -37,6 +37,7 @@ class Alone:
         self.preparer = precooking.preparer
         self.carry = carry
         self.ready = ready
+        self.frying = Frying(self.bench, self.plan)
         self.cooling = Cooling(self.bench, self.plan, precooking.course)
 
     # --- water ---
@@ -268,7 +269,7 @@ class Alone:
         runs = form_of(self.known, want.label, want.leaf) == "liquid"
         needs_fat = not runs and not want.facts.is_a("fat", *word_list("is fried until its fat runs"))
         if needs_fat and not says(method, "is done dry") and not self.precooking.is_toasted_in_a_pan(want):
-            self.carry.add_fat(pan, self.plan)
+            _ = self.carry.add_fat(pan, self.plan) or self.frying.add_fat(pan, [ready.stuff])
         bench.switch(pan, device, on=True)
         self.carry.bring(ready, pan, None)
         stuff = ready.stuff

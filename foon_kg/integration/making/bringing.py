@@ -106,9 +106,9 @@ class Bringing:
         )
         if found is not None:
             return found
-        handling = self._handling(transport, strict=False)
-        ways = [way for way in groups[-1].ways if handling.allows(way[0])]
-        return self.bench.require(ways or groups[-1].ways or _BY_HAND, transport.stuff.foods)
+        powder = form_of(self.known, transport.stuff.label, transport.stuff.states) == "powder"
+        ways = [way for way in groups[-1].ways if not (powder and way[0] in word_list("picks up"))]
+        return self.bench.require(ways or _BY_HAND, transport.stuff.foods)
 
     def _groups(self, transport: Transport) -> Iterator[_Ways]:
         """Yield the ways to bring a food, group by group, the most fitting first."""

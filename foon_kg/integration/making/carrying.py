@@ -18,6 +18,9 @@ from foon_kg.integration.teaching.forms import form_of, is_liquid_fat
 from foon_kg.integration.teaching.frames import Slot, Stage
 from foon_kg.integration.teaching.operators import Attested, Way
 
+_BOTTLE = "bottle"
+_WHY = "nobody asked for fat, and a dry pan burns what is fried: some of the household's {fat}"
+
 
 class Carrier:
     """Carries foods about on a bench."""
@@ -265,3 +268,59 @@ class Carrier:
         """Return the ways that fetch a portion with a tool."""
         ways = [way for way in self.bench.operators.ways.get("fetch", ()) if way[1]]
         return [way for way in ways if only_brings(self.known, way[0]) and "move" in self.known.motion(way[0]).does]
+
+
+class Frying:
+    """Brings fat that nobody asked for into the pans of one dish on a bench, as ``plan`` lets it."""
+
+    def __init__(self, bench: Bench, plan: Plan) -> None:
+        self.bench = bench
+        self.known: Tables = bench.known
+        self.plan = plan
+
+    def add_fat(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
+        """Pour some fat of the household into a ``pan`` for what ``comes`` into it; return whether that was due."""
+        fat = self.plan.fat
+        if not fat or self.plan.drunk or pan.contents or not self._is_dry(pan, comes):
+            return False
+        attested = self.bench.near_or_far([("pour", ())], (fat,))
+        if attested is None:
+            return False
+        taken = self.bench.fetch(fat, ("liquid",), (), _BOTTLE)
+        self.bench.assumed[taken.number] = _WHY.format(fat=fat)
+        self.bench.bring([taken], pan, attested)
+        return True
+
+    def _is_dry(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
+        """Whether something of what ``comes`` would burn in a ``pan``, and nothing wets that or has fat of its own."""
+        row = self.known.utensil(pan.label)
+        if row is None or row.group not in word_list("holds what needs fat"):
+            return False
+        return any(map(self._burns, comes)) and not any(map(self._wets, comes))
+
+    def _burns(self, stuff: Stuff) -> bool:
+        """Whether a thing burns in a dry pan: flesh, vegetables, eggs, batter, and whatever was shaped."""
+        if not stuff.mixed:
+            return self.known.foods.food(stuff.label, stuff.states).is_any(word_list("burns in a dry pan"))
+        return says(stuff.states, "keeps its shape") or self._sets(stuff)
+
+    def _wets(self, stuff: Stuff) -> bool:
+        """Whether a thing wets a pan, or gives fat in it."""
+        if stuff.mixed:
+            shaped = says(stuff.states, "keeps its shape") or self._sets(stuff)
+            return not shaped and any(
+                self.known.foods.food(food).is_any(word_list("keeps food from the pan")) for food in stuff.foods
+            )
+        facts = self.known.foods.food(stuff.label, stuff.states)
+        return not facts.is_a("egg") and (
+            says(stuff.states, "runs") or facts.is_any(word_list("keeps food from the pan"))
+        )
+
+    def _sets(self, stuff: Stuff) -> bool:
+        """Whether a mixture sets in a pan: eggs do, and what is sweet in them only where flour is in it, too."""
+        foods = [self.known.foods.food(food) for food in stuff.foods]
+        eggs, flour, sweet = (
+            any(food.is_any(word_list(one)) for food in foods)
+            for one in ("sets in a pan", "makes a batter", "sweetens eggs")
+        )
+        return eggs and (flour or not sweet)

@@ -94,7 +94,7 @@ def _is_braised(stuff: Stuff, known: Tables) -> bool:
     foods = [known.foods.food(food) for food in stuff.foods]
     pieces = any(food.is_any(word_list("is stewed in pieces")) for food in foods)
     bound = any(food.is_any(word_list("binds what is stewed")) for food in foods)
-    return pieces and not bound and _is_in_liquid(foods)
+    return pieces and not bound and any(food.is_of(*word_list("is stewed in")) for food in foods)
 
 
 def _has_liquid_left(foods: Sequence[Food]) -> bool:

@@ -56,7 +56,7 @@ def _as_called(want: Want, state: str, known: Tables, operators: Operators) -> W
     if is_bought_so(row, state, operators):
         return replace(want, leaf=(state,), bought_so=True)
     if state in word_list("is bought so by the title"):
-        return _ready_fish(want, state, known)
+        return _ready_so(want, state, known)
     return _made_so(want, state, row)
 
 
@@ -69,10 +69,10 @@ def _made_so(want: Want, state: str, row: State) -> Want | None:
     return replace(want, then=state) if row.fineness >= POWDER and {"cook", "boil"} & owes.keys() else None
 
 
-def _ready_fish(want: Want, state: str, known: Tables) -> Want | None:
-    """Return fish that is bought in a state as what is eaten so; ``None`` for what a cook may smoke or has to heat."""
+def _ready_so(want: Want, state: str, known: Tables) -> Want | None:
+    """Return a food that is bought in a state as what is eaten so; ``None`` for what a cook still has to heat."""
     sold = known.foods.food(want.label, [state])
-    if not want.facts.is_a("fish") or "ready" not in sold.traits:
+    if not want.facts.is_any(word_list("is eaten as it is bought by the title")) or "ready" not in sold.traits:
         return None
     return replace(want, facts=sold, leaf=(state,), bought_so=True)
 
@@ -92,7 +92,7 @@ def _before_it(want: Want, title_words: Sequence[str]) -> Iterator[str]:
 
 def _without_its_cut(name: tuple[str, ...]) -> tuple[str, ...]:
     """Return the words of a food's name but for a last one that says which piece of it: trout fillet."""
-    return name[:-1] if name[1:] and name[-1] in word_list("is a piece of fish") else name
+    return name[:-1] if name[1:] and name[-1] in word_list("is a piece of one") else name
 
 
 def is_bought_so(row: State, state: str, operators: Operators) -> bool:

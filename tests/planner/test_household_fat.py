@@ -1,0 +1,85 @@
+"""Fat that nobody asked for: where food would stick in a dry pan, where nobody may have any, and that it is told."""
+
+from __future__ import annotations
+
+import pytest
+from planner.public_foon import public_snapshot
+
+from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.planning.avoidance import household_fat
+from foon_kg.planning.planner import Planner
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.stock import StockedKitchen
+
+pytestmark = pytest.mark.shared_data
+
+OMELETTE = ("egg:whole raw", "onion:chopped", "mushroom:sliced", "salt:granulated")
+
+
+def fats(result):
+    """Return the vessels into which oil came out of its bottle."""
+    return [
+        next(node.container for node in unit.output_nodes if node.label == "oil")
+        for unit in result.units
+        if any((node.label, node.container) == ("oil", "bottle") for node in unit.input_nodes)
+    ]
+
+
+def test_what_is_fried_comes_into_the_oil_of_the_household_which_is_told(public_plans):
+    result = public_plans("omelette", "Mushroom Omelette", *OMELETTE)
+    assert len(fats(result)) == 1
+    (told,) = [one for one in result.assumptions if one.node.label == "oil"]
+    assert told.node == ObjectNode("oil", ("liquid",), (), "in", "bottle")
+    assert "nobody asked for fat" in told.why
+    assert "oil" in result.goal.ingredients
+
+
+@pytest.mark.parametrize(
+    ("dish", "title", "asked"),
+    [
+        ("burger", "Salmon Burgers", ("salmon:canned", "egg:whole", "breadcrumb:crumbs", "bun:halved")),
+        ("steak", "Steak", ("steak:raw", "salt:granulated", "black pepper:ground")),
+        ("casserole", "Green Bean Casserole", ("green bean:canned", "mushroom soup:canned", "onion:fried")),
+    ],
+)
+def test_patties_flesh_and_onions_are_fried_in_it(public_plans, dish, title, asked):
+    assert fats(public_plans(dish, title, *asked))
+
+
+@pytest.mark.parametrize(
+    ("dish", "title", "asked"),
+    [
+        ("omelette", "Omelette", (*OMELETTE, "butter:stick")),
+        ("omelette", "Omelette", (*OMELETTE, "bacon:raw")),
+        ("omelette", "Omelette", (*OMELETTE, "sausage:crumbled")),
+        ("omelette", "Fat-Free Omelette", OMELETTE),
+        ("salad", "Salad", ("sesame seed:toasted", "lettuce:whole", "vinegar:liquid")),
+        ("sauce", "Berry Compote", ("strawberry:quartered", "raspberry:berries", "sugar:granulated")),
+        ("soup", "Vegetable Soup", ("water:liquid", "carrot:diced", "chicken stock:liquid")),
+        ("noodle", "Noodles with Mince", ("beef:ground", "noodle:dried", "soy sauce:liquid")),
+    ],
+)
+def test_there_is_none_where_fat_comes_anyhow_or_nothing_sticks(public_plans, dish, title, asked):
+    result = public_plans(dish, title, *asked)
+    assert fats(result) == []
+    assert not [one for one in result.assumptions if "nobody asked for fat" in one.why]
+
+
+def omelette(settings):
+    snapshot = public_snapshot()
+    foods = tuple(RequiredIngredient(*food.split(":")) for food in OMELETTE)
+    return Planner(snapshot, settings, snapshot.units).plan(Recipe("omelette", foods, "x", "Omelette"))
+
+
+@pytest.mark.parametrize("avoided", ["oil", "fat"])
+def test_who_avoids_it_gets_none(avoided):
+    assert fats(omelette(PlanSettings(time_limit=None, avoided=(avoided,)))) == []
+
+
+def test_a_named_kitchen_without_oil_has_none_and_one_with_oil_has_some():
+    foods = [ObjectNode(food.partition(":")[0]) for food in OMELETTE]
+    for named, there in (([], False), ([ObjectNode("oil")], True)):
+        kitchen = StockedKitchen.of(Kitchen.default(), [*foods, *named])
+        assert bool(fats(omelette(PlanSettings(kitchen=kitchen, time_limit=None)))) is there
+        assert bool(household_fat((), "", kitchen, ())) is there
