@@ -141,3 +141,21 @@ def test_sparkling_water_among_what_seasons_minced_meat_is_in_the_patties(steps)
     told = steps("burger", "Pljeskavica", "ground beef:uncooked", "onion:finely chopped", "paprika:ground",
                  "sparkling water:liquid", "salt:granulated", "flatbreads:plain", "kajmak:creamy")  # fmt: skip
     assert {"ground beef", "sparkling water", "salt"} <= inside(told, "mix")
+
+
+def test_a_sandwich_is_closed_before_it_is_dipped_in_egg(steps):
+    told = steps("sandwich", "Monte Cristo", "bread:loaf", "ham:sliced", "gruyere:sliced", "eggs:uncooked",
+                 "milk:liquid", "butter:unmelted")  # fmt: skip
+    dipped = motions(told).index("dip")
+    assert "sandwich" in told[dipped][0]
+    assert {"ham", "gruyere"}.isdisjoint(told[dipped][0])
+
+
+def test_what_fills_a_flat_bread_is_made_part_by_part(steps):
+    told = steps("sandwich", "Sabich", "aubergine:sliced", "oil:liquid:frying", "pita breads:plain",
+                 "hard-boiled eggs:sliced", "tahini:creamy", "lemon juice:juice", "tomatoes:diced", "cucumber:diced",
+                 "hummus:creamy")  # fmt: skip
+    stirred = wholes(told, "stir")
+    assert {"tomatoes", "cucumber"} in stirred
+    assert {"tahini", "lemon juice"} in stirred
+    assert "fold" in motions(told)
