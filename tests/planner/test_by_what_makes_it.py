@@ -145,3 +145,26 @@ def test_marinated_carrots_are_boiled_and_left_in_their_dressing(steps):
                  "sugar:granulated", "oil:liquid", "vinegar:liquid")  # fmt: skip
     assert first(told, "carrots", "mix") < motions(told).index("chill")
     assert "carrots" in taking(told, "cook") | taking(told, "boil")
+
+
+def test_halloumi_is_fried_for_a_salad(steps):
+    told = steps("salad", "Halloumi Salad", "halloumi:sliced", "baby spinach:leaves", "cherry tomatoes:halved",
+                 "olive oil:liquid", "red wine vinegar:liquid")  # fmt: skip
+    assert {"halloumi", "frying pan"} <= taking(told, "cook")
+
+
+def test_leaves_are_fried_for_a_mash(steps):
+    told = steps("potatoes", "", "potato:mashed", "cabbage:shredded", "butter:creamy", "milk:juice", "salt:ground")
+    assert first(told, "cabbage", "cook and stir") < first(told, "cabbage", "mix")
+
+
+def test_soda_is_poured_on_what_was_blended(steps):
+    told = steps("drinks", "", "watermelon:cubed", "lime:juice", "sugar:syrup", "soda:juice", "ice:crushed")
+    assert "soda" not in taking(told, "blend")
+
+
+def test_a_sauce_of_honey_comes_after_what_is_fried_for_a_moment(steps):
+    told = steps("stir-fry", "", "tempeh:cubed", "bok choy:leaves", "pepper:strips", "lime:juice", "soy sauce:juice",
+                 "ginger:minced", "honey:thick liquid", "oil:juice", "water:juice")  # fmt: skip
+    poured = next(place for place, (inputs, _, _) in enumerate(told) if {"mixture", "cooking pan"} <= inputs)
+    assert max(first(told, food, "cook and stir") for food in ("tempeh", "bok choy", "pepper")) < poured
