@@ -13,9 +13,14 @@
 MATCH (:Object {label: $utensil})-[:INPUT_OF]->(m:Motion)
 WITH DISTINCT m
 WITH m.verb AS motion, collect(m) AS lost
-RETURN motion, size(lost) AS units,
-  COUNT { UNWIND lost AS m MATCH (m)-[:SEEN_IN]->(v:Video) RETURN DISTINCT v } AS videos,
-  COLLECT { UNWIND lost AS m MATCH (m)-[:SEEN_IN]->(v:Video) RETURN DISTINCT v.name ORDER BY v.name LIMIT 10 } AS first,
+CALL (lost) {  // by itself: a COLLECT would keep the list of units beside each name
+  UNWIND lost AS m
+  MATCH (m)-[:SEEN_IN]->(v:Video)
+  WITH DISTINCT v.name AS name ORDER BY name
+  WITH collect(name) AS names
+  RETURN size(names) AS videos, names[..10] AS first
+}
+RETURN motion, size(lost) AS units, videos, first,
   COLLECT {
     MATCH (other:Motion {verb: motion})<-[:INPUT_OF]-(o:Object)
     WHERE NOT EXISTS { MATCH (other)<-[:INPUT_OF]-(:Object {label: $utensil}) }
