@@ -76,9 +76,23 @@ def other_goals(fits: Sequence[Fit], taken: Fit, dish_type: str) -> Iterator[Con
 
 
 def _considered(fit: Fit, taken: Fit) -> Considered:
-    why = fit.vetoes[0] if fit.vetoes else "its foods have less of a natural place in it"
+    why = fit.vetoes[0] if fit.vetoes else _less_suited(fit, taken)
     frame, similarity = fit.frame, round(fit.similarity, 4)
     return Considered(frame.goal, frame.video, frame.dish_type, similarity, fit.similarity > taken.similarity, why)
+
+
+def _less_suited(fit: Fit, taken: Fit) -> str:
+    """Return why a dish against which nothing speaks was not ``taken``: what of its score is less, if that is plain."""
+    if fit.dish.frame.dish_type != taken.frame.dish_type:
+        return f"it is of another type ({fit.frame.dish_type}), and suits less in all: {_scores(fit, taken)}"
+    places, others = (sum(join.slot is not None for join in one.joins) for one in (fit, taken))
+    if places < others:
+        return f"{places} of the foods have a place of their own in it, in the one that is taken {others}"
+    return f"what it is built on, how it is made and called suit less in all: {_scores(fit, taken)}"
+
+
+def _scores(fit: Fit, taken: Fit) -> str:
+    return f"score {fit.score:.2f}, of the one that is taken {taken.score:.2f}"
 
 
 def made_after(found: Sequence[Fit], after: str) -> list[Fit]:

@@ -155,16 +155,25 @@ def _explained(
     chosen = bool(like) and singular(want.label) in likes.instead
     renamed = _renamed(attempt, want)
     others = likes.others(want.label, like) if like else ()
-    why = "you chose another" if chosen else "less sure"
     return Explanation(
         asked, how, like or want.label, sure, chosen, renamed,
-        tuple(_videos(unit for _, unit in own)), _joining(own, number, join), tuple(_passed_over(others, why)),
+        tuple(_videos(unit for _, unit in own)), _joining(own, number, join), tuple(_passed_over(others, sure, chosen=chosen)),
     )  # fmt: skip
 
 
-def _passed_over(others: Sequence[tuple[str, float]], why: str) -> Iterator[PassedOver]:
-    """Yield the first of ``others``, known foods with how sure each is, as passed over for the reason ``why``."""
+def _passed_over(others: Sequence[tuple[str, float]], sure: float, *, chosen: bool) -> Iterator[PassedOver]:
+    """Yield the first of ``others``, known foods with how sure each is, as passed over, each with its reason.
+
+    ``sure`` is how sure the one is that was taken: the surest of those that have evidence for a step of the food
+    (:meth:`~foon_kg.integration.teaching.operators.Operators.attested`). So a surer one has none.
+    """
     for name, confidence in others[:MOST_OTHERS]:
+        if chosen:
+            why = "you chose another"
+        elif round(confidence, 4) > sure:
+            why = "no video does with it what is done here"
+        else:
+            why = "less sure" if round(confidence, 4) < sure else "no surer"
         yield PassedOver(name, "", round(confidence, 4), why)
 
 

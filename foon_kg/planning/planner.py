@@ -320,11 +320,19 @@ class PlannedRecipe:
 
     def _result(self, fit: Fit, tree: FinalTree, dish_type: str) -> PlanResult:
         frame = fit.frame
-        core = tuple(dict.fromkeys(join.slot.food for join in fit.joins if join.slot is not None))
+        core = self._core(fit)
         goal = self.methods.goal_of(frame)
         return PlanResult(
             replace(self.recipe, dish_type=dish_type),
-            ReferenceSummary(goal.node, 0, 0, exact=False, videos=(frame.video,), core=core),  # see _searched
+            ReferenceSummary(
+                goal.node,
+                0,
+                0,
+                exact=False,
+                videos=(frame.video,),
+                core=core,
+                technique=self.technique.name if self.technique else "",
+            ),  # see _searched
             tree.goal,
             tree.units,
             tree.kitchen,
@@ -336,19 +344,28 @@ class PlannedRecipe:
             ),
         )
 
+    def _core(self, fit: Fit) -> tuple[str, ...]:
+        """Return the foods of the recorded dish that the recipe has too, or such as can fairly stand for them."""
+        places = ((join.want.label, join.slot.food) for join in fit.joins if join.slot is not None)
+        return tuple(dict.fromkeys(food for label, food in places if self._stands_for(label, food)))
+
+    def _stands_for(self, label: str, food: str) -> bool:
+        """Return whether an asked food, by its ``label``, is one of the FOON's or fairly stands for it."""
+        return singular(food) == singular(label) or self.likes.alike(label, singular(food)) >= FAIR
+
     def _searched(self, attempt: Attempt) -> Attempt:
         """Return the attempt that is taken with its reference tree: only for that one it is searched (algorithm 3)."""
         goal, told = self.methods.goal_of(attempt.fit.frame), attempt.result.reference
         found = self.planner.references.summary(goal, self.wanted(goal.ingredients), told.videos, told.core)
-        return replace(attempt, result=replace(attempt.result, reference=found))
+        reference = replace(found, technique=told.technique)
+        return replace(attempt, result=replace(attempt.result, reference=reference))
 
     def wanted(self, ingredients: Sequence[str]) -> dict[str, int]:
         """Return which ingredients of a goal may stand for which required food, by number: what counts as overlap."""
         found: dict[str, int] = {}
         for number, want in enumerate(self.wants):
             for name in ingredients:
-                one = singular(name)
-                if name not in found and (one == singular(want.label) or self.likes.alike(want.label, one) >= FAIR):
+                if name not in found and self._stands_for(want.label, name):
                     found[name] = number
         return found
 

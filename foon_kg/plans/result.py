@@ -27,6 +27,7 @@ class ReferenceSummary:
     ``exact`` says that the search proved that no other tree of the goal covers more, or as much in fewer units.
     ``videos`` are those after which the final tree is made, ``core`` the foods of theirs that the recipe has too.
     Where it is made after a draft, which nobody has watched or reviewed, ``draft_confidence`` says how sure that is.
+    ``technique`` names what of foon-kg's own tables gave the order of the steps: then no video shows them in it.
     """
 
     goal: ObjectNode
@@ -36,6 +37,7 @@ class ReferenceSummary:
     videos: tuple[str, ...] = ()
     core: tuple[str, ...] = ()
     draft_confidence: float | None = None
+    technique: str = ""
 
     def to_json(self) -> JsonObject:
         """Return the ``reference`` field of a plan result."""
@@ -47,7 +49,9 @@ class ReferenceSummary:
             "videos": list(self.videos),
             "core": list(self.core),
         }
-        return told if self.draft_confidence is None else told | {"draft_confidence": self.draft_confidence}
+        if self.draft_confidence is not None:
+            told = told | {"draft_confidence": self.draft_confidence}
+        return (told | {"technique": self.technique}) if self.technique else told
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
@@ -61,6 +65,7 @@ class ReferenceSummary:
             fields.texts("videos") if "videos" in fields else (),
             fields.texts("core") if "core" in fields else (),
             fields.number("draft_confidence") if "draft_confidence" in fields else None,
+            fields.text("technique") if "technique" in fields else "",
         )
 
 

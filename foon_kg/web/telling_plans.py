@@ -48,7 +48,8 @@ class Step(BaseModel):
 class Reference(BaseModel):
     """The reference tree in figures.
 
-    ``videos`` are those after which the plan is made, ``core`` the foods of theirs that the recipe has too.
+    ``videos`` are those after which the plan is made, ``core`` the foods of theirs that the recipe has too. Where the
+    order of the steps is that of foon-kg's own tables, ``technique`` names it; a draft has its ``draft_confidence``.
     """
 
     goal: Node
@@ -57,6 +58,8 @@ class Reference(BaseModel):
     exact: bool
     videos: list[str]
     core: list[str]
+    draft_confidence: float | None = None
+    technique: str = ""
 
 
 class GoalPassedOver(BaseModel):

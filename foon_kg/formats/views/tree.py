@@ -125,7 +125,12 @@ def _header(result: PlanResult, unseen: frozenset[str]) -> RenderableType:
     table.add_row(Text("dish", ASIDE), Text(name if name == dish_type else f"{name} ({dish_type})", "bold"))
     table.add_row(Text("asked", ASIDE), asked)
     table.add_row(Text("makes", ASIDE), node_words(result.goal, unseen))
-    table.add_row(Text("like", ASIDE), _reference(result))
+    if result.reference.technique:
+        told = f"{result.reference.technique}: by foon-kg's own tables, no video shows these steps in this order"
+        table.add_row(Text("made as", ASIDE), Text(told))
+        table.add_row(Text("nearest", ASIDE), _reference(result))
+    else:
+        table.add_row(Text("like", ASIDE), _reference(result))
     return table
 
 

@@ -6,7 +6,7 @@ import { plan as planned, Refusal } from "./api.js";
 import { rivals } from "./compare_with.js";
 import { alike, beside, words } from "./differences.js";
 import { counted, element, errorNotice, heading, list } from "./element.js";
-import { buying } from "./steps.js";
+import { buying, madeLike } from "./steps.js";
 
 export const compareView = (plan, { asked, to }) => {
   const body = element("div", {});
@@ -71,7 +71,7 @@ const heads = (sides, to) => [
 const figures = (plan) => {
   const { findings } = plan.judged;
   return [element("p", {}, element("strong", {}, plan.goal.label), `, ${counted(plan.units.length, "step")}`),
-    element("p", { class: "aside" }, `Made like the ${plan.reference.goal.label} of video ${plan.reference.videos.join(", ")}. The judge `, findings.length ? `objects to ${counted(findings.length, "thing")}.` : "objects to nothing.")];
+    element("p", { class: "aside" }, `${madeLike(plan)} of video ${plan.reference.videos.join(", ")}. The judge `, findings.length ? `objects to ${counted(findings.length, "thing")}.` : "objects to nothing.")];
 };
 
 const rows = (sides) => {

@@ -21,6 +21,9 @@ export const videos = (plan) => plan.reference.videos.flatMap((name, place) => {
   return [place ? ", " : "", i < 0 ? named(name) : element("a", { href: plan.videos[i], target: "_blank", rel: "noreferrer noopener" }, named(name))];
 });
 
+// What a plan is made after, up to the video's name: a recorded dish, or foon-kg's own tables and what is nearest.
+export const madeLike = ({ reference }) => (reference.technique ? `Made as ${reference.technique}, by foon-kg's own tables: no video shows these steps in this order. Nearest is the ` : "Made like the ") + reference.goal.label;
+
 export const besides = (plan) => {
   const bought = new Set(plan.shopping.map((node) => node.label));
   const there = plan.kitchen.filter((node) => !bought.has(node.label) && !node.ingredients.length); // no packet that a food is sold in
@@ -62,7 +65,7 @@ export const stepsView = (plan, { unseen, to }) => {
   const like = [...unseen].map(([name, one]) => `~${name} handled like ${one.equivalent}`).join(", ");
   const part = element("section", {},
     notes(plan.notes),
-    element("p", {}, `Made like the ${plan.reference.goal.label} of `, ...videos(plan), like ? `, with ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
+    element("p", {}, `${madeLike(plan)} of `, ...videos(plan), like ? `, with ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
     element("div", { class: "beside" },
       element("div", {}, element("div", { class: "titled" }, heading(2, "Steps"), own), steps),
       element("div", {},

@@ -4,7 +4,7 @@
 import { toAddress } from "./address.js";
 import { counted, element, heading, list, sentence } from "./element.js";
 import { nodeWords } from "./nodes.js";
-import { foodAndState, videos } from "./steps.js";
+import { foodAndState, madeLike, videos } from "./steps.js";
 
 const sure = (confidence) => element("span", { class: "score" }, confidence.toFixed(2));
 const inWords = (names) => names.join(", ").replace(/, ([^,]*)$/, " and $1");
@@ -34,8 +34,7 @@ const others = ({ considered }, nearer, asked, to) => considered.filter((one) =>
 const asAsked = (one, { ingredients }) => (ingredients.some((text) => text.includes(one.object) && text.replace(one.object, "").includes(one.state)) ? foodAndState(one) : one.object);
 
 const after = (plan, asked, { recipe, reference } = plan) => [
-  element("p", {}, `${sentence(`${recipe.dish_type} with ${inWords(recipe.ingredients.map((one) => asAsked(one, asked)))}`).slice(0, -1)}, made like the `, element("strong", {}, reference.goal.label),
-    ` of ${counted(reference.units, "step")} in `, ...videos(plan), "."),
+  element("p", {}, `${sentence(`${recipe.dish_type} with ${inWords(recipe.ingredients.map((one) => asAsked(one, asked)))}`).slice(0, -1)}: ${madeLike(plan).replace("Made", "made")} of ${counted(reference.units, "step")} in `, ...videos(plan), "."),
   element("p", {}, `That dish takes ${reference.overlap} of the ${recipe.ingredients.length} foods asked, or their like`,
     reference.core.length ? ` (${inWords(reference.core)})` : "", reference.exact ? ": it is proven that no way to make it takes more." : "; it is the best that was found in time."),
 ];
