@@ -10,6 +10,7 @@ from foon_kg.model import ObjectNode
 from foon_kg.model.errors import NoTreeError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.node_json import node_to_json
+from foon_kg.planning.likes import RecipeLikes
 
 MOST_NEARER = 3
 """How many goals that are nearer and were passed over are named."""
@@ -42,6 +43,15 @@ class Considered:
             "nearer": self.nearer,
             "why": self.why,
         }
+
+
+def core_of(fit: Fit, likes: RecipeLikes) -> tuple[str, ...]:
+    """Return the foods of the recorded dish of ``fit`` that the recipe has too, or such as fairly stand for them.
+
+    ``likes`` say which do.
+    """
+    places = ((join.want.label, join.slot.food) for join in fit.joins if join.slot is not None)
+    return tuple(dict.fromkeys(food for label, food in places if likes.is_fair(label, food)))
 
 
 def nearer_goals(fits: Sequence[Fit], taken: Fit, dish_type: str) -> Iterator[Considered]:

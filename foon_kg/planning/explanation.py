@@ -157,7 +157,8 @@ def _explained(
     others = likes.others(want.label, like) if like else ()
     return Explanation(
         asked, how, like or want.label, sure, chosen, renamed,
-        tuple(_videos(unit for _, unit in own)), _joining(own, number, join), tuple(_passed_over(others, sure, chosen=chosen)),
+        tuple(_videos(unit for _, unit in own)), _joining(own, number, join),
+        tuple(_passed_over(others, sure, chosen=chosen)),
     )  # fmt: skip
 
 

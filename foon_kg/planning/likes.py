@@ -185,6 +185,10 @@ class RecipeLikes:
         """Return how sure a cook is (0 to 1) to accept a food that need not be known for another one."""
         return float(self._likes.similarity.matrix([singular(food)], [singular(other)])[0, 0])
 
+    def is_fair(self, food: str, known: str) -> bool:
+        """Return whether a known food is the asked one, or stands fairly for it."""
+        return singular(known) == singular(food) or self.alike(food, singular(known)) >= FAIR
+
     def alike(self, food: str, known: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a known food for another one."""
         name = singular(food)

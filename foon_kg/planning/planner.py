@@ -39,10 +39,9 @@ from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.unheeded import with_core_told, with_parts_told, with_unheeded
 from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
-from foon_kg.model.knowledge import FAIR
 from foon_kg.planning.attempt import Attempt
 from foon_kg.planning.avoidance import household_fat, kitchen_without, names_avoided, why_avoided, without_avoided
-from foon_kg.planning.considered import Considered, made_after, nearer_goals, other_goals
+from foon_kg.planning.considered import Considered, core_of, made_after, nearer_goals, other_goals
 from foon_kg.planning.dish_names import as_told, eased, has_its_name, made_as, refuse_unknown_type, with_core
 from foon_kg.planning.explanation import Explanation, explanations
 from foon_kg.planning.likes import FoodLikes, RecipeLikes
@@ -320,18 +319,12 @@ class PlannedRecipe:
 
     def _result(self, fit: Fit, tree: FinalTree, dish_type: str) -> PlanResult:
         frame = fit.frame
-        core = self._core(fit)
+        core, by = core_of(fit, self.likes), self.technique.name if self.technique else ""
         goal = self.methods.goal_of(frame)
         return PlanResult(
             replace(self.recipe, dish_type=dish_type),
             ReferenceSummary(
-                goal.node,
-                0,
-                0,
-                exact=False,
-                videos=(frame.video,),
-                core=core,
-                technique=self.technique.name if self.technique else "",
+                goal.node, 0, 0, exact=False, videos=(frame.video,), core=core, technique=by
             ),  # see _searched
             tree.goal,
             tree.units,
@@ -344,28 +337,18 @@ class PlannedRecipe:
             ),
         )
 
-    def _core(self, fit: Fit) -> tuple[str, ...]:
-        """Return the foods of the recorded dish that the recipe has too, or such as can fairly stand for them."""
-        places = ((join.want.label, join.slot.food) for join in fit.joins if join.slot is not None)
-        return tuple(dict.fromkeys(food for label, food in places if self._stands_for(label, food)))
-
-    def _stands_for(self, label: str, food: str) -> bool:
-        """Return whether an asked food, by its ``label``, is one of the FOON's or fairly stands for it."""
-        return singular(food) == singular(label) or self.likes.alike(label, singular(food)) >= FAIR
-
     def _searched(self, attempt: Attempt) -> Attempt:
         """Return the attempt that is taken with its reference tree: only for that one it is searched (algorithm 3)."""
         goal, told = self.methods.goal_of(attempt.fit.frame), attempt.result.reference
         found = self.planner.references.summary(goal, self.wanted(goal.ingredients), told.videos, told.core)
-        reference = replace(found, technique=told.technique)
-        return replace(attempt, result=replace(attempt.result, reference=reference))
+        return replace(attempt, result=replace(attempt.result, reference=replace(found, technique=told.technique)))
 
     def wanted(self, ingredients: Sequence[str]) -> dict[str, int]:
         """Return which ingredients of a goal may stand for which required food, by number: what counts as overlap."""
         found: dict[str, int] = {}
         for number, want in enumerate(self.wants):
             for name in ingredients:
-                if name not in found and self._stands_for(want.label, name):
+                if name not in found and self.likes.is_fair(want.label, name):
                     found[name] = number
         return found
 
