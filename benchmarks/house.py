@@ -280,7 +280,7 @@ def figures(house: House) -> Iterator[tuple[str, object]]:
     yield "lines that are not empty", lines
     yield "comments, % of them", round(100 * comments / lines, 1)
     yield "functions", len(functions)
-    yield "lines of a function: median", statistics.median(lengths)
+    yield "lines of a function: median", f"{statistics.median(lengths):g}"
     yield "lines of a function: nine in ten", lengths[len(lengths) * 9 // 10]
     yield f"functions more complex than {MOST_COMPLEX}", sum(one.complexity > MOST_COMPLEX for one in functions)
     yield "functions more complex than 20", sum(one.complexity > 20 for one in functions)

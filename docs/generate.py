@@ -1,4 +1,4 @@
-"""Write what documents show of foon-kg from foon-kg itself: the page of commands, the notebook's outputs, a plan.
+"""Write what documents show of foon-kg from foon-kg itself: commands, the outputs of the notebook, a plan, counts.
 
 python docs/generate.py          # writes the files
 python docs/generate.py --check  # exits with 1 where one of them says something else
@@ -11,9 +11,11 @@ import ast
 import io
 import json
 import re
+import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import redirect_stdout
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +34,15 @@ from foon_kg.plans.result import PlanResult
 TARGET = Path(__file__).parent / "reference" / "commands.md"
 NOTEBOOK = Path(__file__).parent / "how-to" / "notebook.ipynb"
 PICTURE = Path(__file__).parent / "plan.svg"
+HOUSE = Path(__file__).parent / "explanation" / "house.md"
+MEASURE = Path(__file__).parents[1] / "benchmarks" / "house.py"
+FIGURE = 52
+"""Where in a line of that program a figure begins."""
+
+NUMBER = re.compile(r"\d[\d,]*(?:\.\d+)?")
+NEAR = 0.05
+"""So far from what is counted a figure that documents tell may be, as a share of it."""
+
 HEAD = """# Commands
 
 Every command as it describes itself; `foon COMMAND --help` says the same. This page is written by
@@ -137,6 +148,38 @@ def picture() -> str:
     return re.sub(r"@font-face \{.*?\}\s*", "", drawn, flags=re.DOTALL)
 
 
+def house() -> str:
+    """Return the page of the house with the figures and the way of a recipe that benchmarks/house.py finds today."""
+    page = HOUSE.read_text(encoding="utf-8")
+    for line in _measured():
+        name, figure = line[:FIGURE].strip(), line[FIGURE:].strip()
+        row = re.compile(rf"^(\| {re.escape(name)} \| [^|]* \| )[^|]*( \|)$", re.MULTILINE)
+        page = row.sub(rf"\g<1>{figure}\g<2>", page)
+    way = "\n".join(("```text", *_measured("--way"), "```"))
+    return re.sub(r"```text\nfoon_kg\.cli:main\n.*?```", lambda _: way, page, flags=re.DOTALL)
+
+
+def _measured(*options: str) -> list[str]:
+    done = subprocess.run([sys.executable, MEASURE, *options], capture_output=True, text=True, check=True)
+    return done.stdout.splitlines()
+
+
+def far_off(told: str, found: str) -> list[str]:
+    """Return the lines of a page as ``found`` that ``told`` has otherwise, or whose numbers are a twentieth off.
+
+    A count that grows with every change need not be written anew with each; what is drawn by lot (a sample of 40
+    docstrings) is not compared.
+    """
+    pairs = zip_longest(told.splitlines(), found.splitlines(), fillvalue="")
+    return [new for old, new in pairs if not new.startswith("| docstrings of ") and not _near(old, new)]
+
+
+def _near(old: str, new: str) -> bool:
+    first, second = ([float(one.replace(",", "")) for one in NUMBER.findall(line)] for line in (old, new))
+    alike = all(abs(one - other) <= NEAR * other for one, other in zip(first, second, strict=False))
+    return alike and NUMBER.sub("", old) == NUMBER.sub("", new)
+
+
 WRITTEN = {TARGET: document, NOTEBOOK: notebook, PICTURE: picture}
 
 
@@ -146,11 +189,16 @@ def main() -> int:
     parser.add_argument("--check", action="store_true")
     check = parser.parse_args().check
     old = [path for path, made in WRITTEN.items() if path.read_text(encoding="utf-8") != made()]
+    figures = house()
+    if far_off(HOUSE.read_text(encoding="utf-8"), figures):
+        old.append(HOUSE)
+    elif not check:
+        HOUSE.write_text(figures, encoding="utf-8")
     for path in old:
         if check:
             print(f"docs/{path.relative_to(Path(__file__).parent)} is old: run python docs/generate.py")
         else:
-            path.write_text(WRITTEN[path](), encoding="utf-8")
+            path.write_text(figures if path == HOUSE else WRITTEN[path](), encoding="utf-8")
     return 1 if check and old else 0
 
 

@@ -45,6 +45,9 @@ class Step:
     ``inputs`` and ``outputs`` are the objects before and after it. ``seen_in`` are the places in videos that attest it,
     ``origin`` is ``foon`` where they show this food, ``adapted`` where they show a like one, one of its kind or the
     motion alone.
+
+    >>> [(one.motion, one.seen_in[0].video, one.origin) for one in plan.steps[:1]]
+    [('dice', 'farmhouse_omelette', 'adapted')]
     """
 
     number: int

@@ -344,7 +344,11 @@ class RequiredIngredient:
 
 @dataclass(frozen=True)
 class Recipe:
-    """A dish to be made: its type and the foods it wants. ``title`` is what a person called it."""
+    """A dish to be made: its type and the foods it wants. ``title`` is what a person calls it, ``id`` what a file does.
+
+    >>> Recipe("salad", (RequiredIngredient("onion", "chopped"),), title="Onion salad").ingredients[0].state
+    'chopped'
+    """
 
     dish_type: str
     ingredients: tuple[RequiredIngredient, ...]

@@ -47,6 +47,9 @@ class Question:
     """A recipe still to be read: its file, ``given`` without all states, or a dish type and ingredients in words.
 
     ``title`` is what a recipe in words is called.
+
+    >>> Question(dish_type="soup", texts=("sliced leek", "water"), title="Cream of leek soup").stand_in.dish_type
+    'soup'
     """
 
     path: Path | None = None
@@ -96,6 +99,13 @@ class Answer:
     """What comes of one question: a tree or why there is none (``error``), and what had to be decided to read it.
 
     Where reasons are asked it has ``explanations`` and the other dishes that were ``considered``.
+
+    >>> from foon_kg import Foon
+    >>> from foon_kg.foon.demo import demo_folder
+    >>> foon = Foon.from_files(demo_folder())
+    >>> answer = foon.answer(Question(dish_type="bread", texts=("chopped onion",)), PlanSettings())
+    >>> answer.error.message
+    'this FOON has no bread'
     """
 
     outcome: PlanResult | PlanFailure

@@ -65,6 +65,11 @@ class Explanation:
 
     ``label`` is the known food that it is handled like, ``confidence`` how sure that is (0..1) or that a person
     has ``chosen`` it; ``renamed`` are asked states and what each was read as; ``videos`` say where the evidence is.
+
+    >>> print(Explanation(RequiredIngredient("salt", "granulated"), "sold", joins=Joining(3, "sprinkle")))
+    salt (granulated)
+      joins as it is sold
+      joins the others in step 3 (sprinkle)
     """
 
     want: RequiredIngredient

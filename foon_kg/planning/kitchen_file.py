@@ -56,7 +56,14 @@ _HINT = "Write one thing a line, as in “onion, chopped”, or JSON with “ute
 
 @dataclass(frozen=True)
 class ReadKitchen:
-    """What is at hand, and what had to be decided to read it, one sentence a note."""
+    """What is at hand, and what had to be decided to read it, one sentence a note.
+
+    >>> from foon_kg import Foon
+    >>> from foon_kg.foon.demo import demo_folder
+    >>> read = Foon.from_files(demo_folder()).kitchen(foods=["chopped onion", "olive oil", "knife"])
+    >>> read.kitchen.food_names, read.kitchen.utensils_named[0].label, read.notes
+    (('olive oil', 'onion'), 'knife', ())
+    """
 
     kitchen: StockedKitchen
     notes: tuple[str, ...]

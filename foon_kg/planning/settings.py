@@ -16,7 +16,11 @@ Method = Literal["frames", "paper"]
 
 @dataclass(frozen=True)
 class Substitute:
-    """A person's choice: ``food``, wherever a recipe asks for it, is handled like the known food ``like``."""
+    """A person's choice: ``food``, wherever a recipe asks for it, is handled like the known food ``like``.
+
+    >>> PlanSettings(substitutes=(Substitute("leek", "onion"),)).substitutes[0].like
+    'onion'
+    """
 
     food: str
     like: str

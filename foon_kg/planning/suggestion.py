@@ -52,6 +52,12 @@ class Suggestion:
     :func:`~foon_kg.planning.suggested.as_planned` puts those there that the plan of the dish lacks. ``assumed`` are the
     leaves of which only the food is there, in another state, ``unused`` the foods at hand that the tree does not take.
     ``exact`` says that it is proven that no tree of this goal lacks less food (see ``docs/ties.md`` for the order).
+
+    >>> from foon_kg import Foon
+    >>> from foon_kg.foon.demo import demo_folder
+    >>> best = Foon.from_files(demo_folder()).suggest(["egg", "butter"], most=1)[0]
+    >>> best.goal.node.label, best.missing, best.share
+    ('omelette', ('salt',), 0.67)
     """
 
     goal: Goal

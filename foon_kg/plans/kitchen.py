@@ -55,6 +55,10 @@ class Kitchen:
 
     This one has every utensil and whatever shops sell; :class:`~foon_kg.plans.stock.StockedKitchen` has what a person
     named.
+
+    >>> kitchen = Kitchen.default()
+    >>> kitchen.is_utensil("frying pans"), kitchen.is_start_state("onion", "chopped")
+    (True, False)
     """
 
     utensils: frozenset[str]
@@ -71,16 +75,27 @@ class Kitchen:
         """Return the kitchen of the tables and of a user's own; ``free_foods`` replaces the free foods (water).
 
         Raises ReadError where a table that a user named cannot be read.
+
+        >>> Kitchen.default(["salt"]).is_free("salt"), Kitchen.default().is_free("salt")
+        (True, False)
         """
         return _from_tables(tables(), None if free_foods is None else frozenset(map(folded, free_foods)))
 
     def with_foods(self, names: Iterable[str]) -> Kitchen:
-        """Return the kitchen in which ``names`` are foods: a recipe may ask for a cooking spray."""
+        """Return the kitchen in which ``names`` are foods: a recipe may ask for a cooking spray.
+
+        >>> Kitchen.default().with_foods(["skewer"]).is_utensil("skewer")
+        False
+        """
         foods = frozenset(map(singular, names)) & self.utensils
         return replace(self, utensils=self.utensils - foods) if foods else self
 
     def with_utensils(self, names: Iterable[str]) -> Kitchen:
-        """Return the kitchen in which ``names`` are utensils; one that is called after a storage is one (spice bag)."""
+        """Return the kitchen in which ``names`` are utensils; one that is called after a storage is one (spice bag).
+
+        >>> Kitchen.default().with_utensils(["spice bag"]).is_storage("spice bag")
+        True
+        """
         fresh = frozenset(map(singular, names)) - self.utensils
         keep_food = {name for name in fresh if name.split()[-1] in self.storage}
         return replace(self, utensils=self.utensils | fresh, storage=self.storage | keep_food)

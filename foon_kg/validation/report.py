@@ -70,6 +70,11 @@ class Report:
 
     ``not_asked`` names each rule that could not be asked in full, with the reason; ``notes`` says what is allowed but
     must be told, such as the free foods that were let in. ``played`` is false where there is no tree.
+
+    >>> print(Report("plan", (Finding("K1", "the egg is raw", 4),)))
+    plan: not accepted (robot yes, cook no, form kept)
+      fatal:
+        K1 step 5: the egg is raw
     """
 
     name: str

@@ -21,6 +21,13 @@ COMMANDS = [
 ]  # fmt: skip
 TABLE = re.search(r"```text\n(start.*?)```", PAGE, re.DOTALL)[1]
 
+SHOWN = re.findall(r"```sh\n((?:[^`]|`(?!``))*)```\n\n```text\n(?!start)(.*?)```", PAGE, re.DOTALL)
+"""Blocks of commands with what the page shows of what the last of each prints."""
+
+
+def test_the_tutorial_shows_what_its_first_commands_print():
+    assert len(SHOWN) >= 4
+
 
 @pytest.fixture
 def here(tmp_path, monkeypatch, empty_graph):
@@ -51,4 +58,6 @@ def test_every_command_of_the_tutorial_does_what_it_says(here):
         "like  cucumber salad (video my_salad)"
         in answers['foon plan --dish salad "sliced cucumber" yogurt "chopped dill"'].stdout
     )
-    assert "robot" in answers["foon check plan.json"].stdout
+    for block, shown in SHOWN:
+        last = answers[[line for line in block.splitlines() if line.startswith("foon ")][-1].partition(" #")[0].strip()]
+        assert shown in last.stdout or shown in last.stderr

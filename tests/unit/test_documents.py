@@ -108,6 +108,31 @@ def test_the_page_of_commands_says_what_they_say(generate):
 
 
 @pytest.mark.slow
+def test_the_figures_of_the_house_are_those_of_today(generate):
+    told = generate.HOUSE.read_text(encoding="utf-8")
+    assert generate.far_off(told, generate.house()) == [], "run python docs/generate.py"
+
+
+@pytest.mark.parametrize(
+    ("told", "found", "off"),
+    [
+        ("| modules | 312 | 597 |", "| modules | 312 | 601 |", False),
+        ("| modules | 312 | 500 |", "| modules | 312 | 601 |", True),
+        ("| circles | 1 | 0 |", "| circles | 1 | 1 |", True),
+        ("foon_kg.cli:main", "foon_kg.cli:run", True),
+        (
+            "| docstrings of 40: example | 0 of 40 | 3 of 40 |",
+            "| docstrings of 40: example | 0 of 40 | 9 of 40 |",
+            False,
+        ),
+        ("one line", "one line\nand another", True),
+    ],
+)
+def test_a_figure_that_is_far_off_is_found(generate, told, found, off):
+    assert bool(generate.far_off(told, found)) is off
+
+
+@pytest.mark.slow
 def test_the_notebook_runs_and_shows_what_its_cells_answer(generate):
     assert generate.NOTEBOOK.read_text(encoding="utf-8") == generate.notebook(), "run python docs/generate.py"
 

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import ast
 import inspect
+import re
 from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 import foon_kg
-from foon_kg import Foon, Plan, Step
+from foon_kg import Foon, Kitchen, Plan, Recipe, Step, foon
+from foon_kg.model.knowledge import Neighbour
+from foon_kg.planning.suggestion import Suggestion
+from foon_kg.validation import Report
 
 PACKAGE = Path(__file__).parents[2] / "foon_kg"
 AT_THE_DOOR = sorted([*(PACKAGE / "cli").rglob("*.py"), *(PACKAGE / "web").rglob("*.py")])
@@ -87,11 +91,47 @@ def public(owner):
 NO_EXAMPLE = {"on_this_machine", "start_server", "stop_server", "import_offline", "stage_recipes"}
 """They start, or replace, what whoever runs the examples has."""
 
+QUESTIONS = ("plan", "answer", "answers", "similar", "retrieve", "suggest", "suggestions", "kitchen")
+"""The methods that a user's own questions are asked by."""
 
-@pytest.mark.parametrize("owner", [Foon, Plan, Step], ids=lambda owner: owner.__name__)
+ASKED_WITH = ("Answer", "Explanation", "PlanSettings", "Question", "ReadKitchen", "RetrievalResult", "Substitute")
+"""What they take and return, of the names of ``foon_kg.foon``."""
+
+OF_OTHERS = {
+    "Any", "DataFrame", "DiGraph", "Iterable", "Iterator", "JsonObject", "Literal", "Mapping", "None", "Paths",
+    "Sequence",
+}  # fmt: skip
+"""Names of Python, of other packages, and what is a dictionary of JSON or a path by another name."""
+
+
+def has_example(value):
+    return ">>> " in (inspect.getdoc(value) or "")
+
+
+@pytest.mark.parametrize("owner", [Foon, Plan], ids=lambda owner: owner.__name__)
 def test_every_public_name_has_an_example(owner):
-    without = [name for name, value in public(owner) if ">>> " not in (inspect.getdoc(value) or "")]
-    assert [name for name in without if name not in NO_EXAMPLE] == []
+    names = public(owner)
+    assert len(names) > 8
+    assert [name for name, value in names if not has_example(value) and name not in NO_EXAMPLE] == []
+
+
+def test_what_is_asked_with_and_answered_has_an_example():
+    known = [Kitchen, Recipe, Step, Neighbour, Report, Suggestion, *(getattr(foon, name) for name in ASKED_WITH)]
+    assert [one.__name__ for one in known if not has_example(one)] == []
+    makers = [Kitchen.default, Kitchen.with_foods, Kitchen.with_utensils]
+    assert [one.__name__ for one in makers if not has_example(one)] == []
+
+
+def test_what_a_question_takes_and_returns_is_in_the_reference():
+    questions = [getattr(Foon, name) for name in QUESTIONS]
+    questions += [getattr(value, "fget", None) or getattr(value, "func", value) for _, value in public(Plan)]
+    said = {
+        word for one in questions for told in one.__annotations__.values() for word in re.findall(r"\b[A-Z]\w+", told)
+    }
+    reference = (PACKAGE.parent / "docs" / "reference" / "python.md").read_text(encoding="utf-8")
+    listed = set(re.findall(r"autoclass:: [\w.]+\.(\w+)", reference))
+    assert len(listed) > 15
+    assert said - listed - OF_OTHERS == set()
 
 
 @pytest.mark.parametrize("owner", [Foon, Plan], ids=lambda owner: owner.__name__)

@@ -50,6 +50,12 @@ class RetrievalResult:
 
     ``assumed`` are the motions of the tree that have no weight. ``exact`` says that no tree is better; where a time
     limit left that open, ``bound`` is what no tree can be better than: a number of units, or a success rate.
+
+    >>> from foon_kg import Foon
+    >>> from foon_kg.foon.demo import demo_folder
+    >>> found = Foon.from_files(demo_folder()).retrieve("lemonade")
+    >>> found.goal.label, found.units[-1].known.unit.motion, found.exact
+    ('lemonade', 'stir', True)
     """
 
     sought: GoalSought
