@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from foon_kg.food import Food
+from foon_kg.food.lists import word_list
 from foon_kg.validation.case import Case, was_taken_out
 from foon_kg.validation.report import Finding
 from foon_kg.world import Lump, Part, PlayedStep, Vessel
@@ -144,7 +146,7 @@ def order(case: Case) -> Iterator[Finding]:
             yield Finding("W5", reason, played_step.number, minor=True)
         if played_step.hot and _fetches_water(played_step):
             yield Finding("W5", "water is fetched while something waits in the heat", played_step.number, minor=True)
-        yield from _fried_dry(played_step)
+        yield from _fried_dry(case, played_step)
 
 
 class _Waits:
@@ -179,10 +181,35 @@ def _fetches_water(played_step: PlayedStep) -> bool:
     )
 
 
-def _fried_dry(played_step: PlayedStep) -> Iterator[Finding]:
+def _fried_dry(case: Case, played_step: PlayedStep) -> Iterator[Finding]:
     """Yield the vessels in which a step fries food, with nothing in them that keeps this from the metal."""
-    for vessel in played_step.heated if played_step.does("fat") else ():
-        parts = [part for lump in vessel.lumps for part in lump.parts]
-        wet = any(part.food.is_a("fat", "meat", "fish", "liquid", "creamy") for part in parts)
-        if vessel.row.role == "vessel" and parts and not wet:
+    worked = [part.food for lump in played_step.treated for part in lump.parts]
+    for vessel in played_step.heated if worked and _may_fry(played_step) else ():
+        foods = [*worked, *_inside(case, played_step, vessel)]
+        if vessel.row.role == "vessel" and _burns(played_step, vessel, foods):
             yield Finding("W5", f"it is fried in a dry {vessel.label}", played_step.number, minor=True)
+
+
+def _inside(case: Case, played_step: PlayedStep, vessel: Vessel) -> Iterator[Food]:
+    """Yield the foods that the nodes of a vessel tell in it, and those in it at last, which a node may forget."""
+    for mention in played_step.step.inputs:
+        if mention.node.label == vessel.label:
+            yield from map(case.tables.foods.food, mention.node.ingredients)
+    for lump in vessel.lumps:
+        yield from (part.food for part in lump.parts)
+
+
+def _may_fry(played_step: PlayedStep) -> bool:
+    """Whether a step fries, or cooks on a stove with no liquid."""
+    boils = played_step.in_oven or played_step.does("liquid", "dry")
+    return played_step.does("fat") or (played_step.does("heat") and not boils)
+
+
+def _burns(played_step: PlayedStep, vessel: Vessel, foods: Sequence[Food]) -> bool:
+    """Whether nothing keeps ``foods`` from the metal: what is fried, or vegetables that are cooked in a pan alone."""
+    if played_step.does("fat"):
+        return not any(food.is_a("fat", "meat", "fish", "liquid", "creamy") for food in foods)
+    if vessel.row.group not in word_list("is a pan to fry in"):
+        return False
+    wet = any(food.is_any(word_list("keeps a pan from being dry")) for food in foods)
+    return not wet and any(food.is_any(word_list("burns in a pan without fat")) for food in foods)

@@ -163,3 +163,30 @@ def test_k7_another_vessel_of_that_name_stands_over_no_heat():
         " + rice (uncooked; in pan) + pan (empty)",
     )
     assert found("K7", told) == []
+
+
+@pytest.mark.parametrize(
+    ("motion", "food", "dry"),
+    [
+        ("COOK AND STIR", "onion (chopped", True),
+        ("COOK", "mushroom (sliced", True),
+        ("COOK", "almond (whole", False),
+        ("SIMMER", "onion (chopped", False),
+    ],
+)
+@pytest.mark.parametrize("beside", ["", "oil", "bacon"])
+def test_w5_vegetables_are_cooked_in_no_dry_pan_though_they_leave_it_then(motion, food, dry, beside):
+    name = food.partition(" ")[0]
+    both = ", ".join(filter(None, sorted([name, beside])))
+    text = lines(
+        f"{beside} (raw) + pan (empty; on stove) → POUR → {beside} (raw; in pan) + pan ({{{beside}}}; on stove)"
+        if beside
+        else "stove (off) + pan (empty) → PUT → pan (empty; on stove) + stove (off; under pan)",
+        f"{food}; in bowl) + pan ({{{both}}}; on stove) → POUR → {food}; in pan) + pan ({{{both}}}; on stove)",
+        "stove (off; under pan) → TURN ON → stove (on; under pan)",
+        f"{food}; in pan) + pan ({{{both}}}; on stove) + stove (on; under pan) → {motion}"
+        f" → {food}, cooked; in pan) + pan (hot; {{{both}}}; on stove)",
+        f"{food}, cooked; in pan) + pan (hot; {{{both}}}; on stove) + plate (empty) → POUR"
+        f" → {food}, cooked; on plate) + plate ({{{both}}}) + pan (empty; on stove)",
+    )
+    assert any("dry pan" in told for told in found("W5", text)) is (dry and not beside)
