@@ -37,6 +37,16 @@ class CommandGroup(typer.Typer):
 class CarefulCommand(HelpedCommand):
     """A command that refuses to write over what it reads."""
 
+    def parse_args(self, ctx: typer.Context, args: list[str]) -> list[str]:  # type: ignore[override]
+        """Read ``args`` into the context ``ctx``; raises UsageError for an empty path: no folder is meant."""
+        given = list(args)
+        left: list[str] = super().parse_args(ctx, args)
+        if "" in given and "." not in given and any(path == Path() for path, _ in _paths(ctx.params)):
+            raise UsageError(
+                "a path is empty", hint="Is a variable of the shell not set? “.” is the folder you are in."
+            )
+        return left
+
     def invoke(self, ctx: typer.Context) -> Any:  # type: ignore[override]  # noqa: ANN401 - as typer has it
         """Run the command in the context ``ctx``; raises UsageError where it would write over a file that it reads."""
         written = dict(_paths({name: ctx.params.get(name) for name in _WRITTEN}))

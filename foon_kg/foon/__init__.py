@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Literal
 
 from foon_kg.foon.answering import WHOLE
 from foon_kg.foon.evaluating import Evaluating
-from foon_kg.foon.opened import Paths
+from foon_kg.foon.opened import Paths, listed
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
@@ -107,7 +107,7 @@ class Foon(Evaluating):
         title: str | None = None,
         avoid: Sequence[str] = (),
         substitute: Mapping[str, str] | None = None,
-        kitchen: Kitchen | None = None,
+        kitchen: Kitchen | ReadKitchen | None = None,
         after: str = "",
         with_drafts: bool = False,
     ) -> Plan:
@@ -127,19 +127,21 @@ class Foon(Evaluating):
         6
         """
         from foon_kg.foon.plan import Plan
+        from foon_kg.planning.kitchen_file import ReadKitchen
         from foon_kg.planning.settings import PlanSettings, Substitute
         from foon_kg.plans.kitchen import Kitchen
         from foon_kg.plans.result import PlanResult
 
         chosen = tuple(Substitute(food, like) for food, like in (substitute or {}).items())
+        there = kitchen.kitchen if isinstance(kitchen, ReadKitchen) else kitchen
         settings = PlanSettings(
-            kitchen or Kitchen.default(),
+            there or Kitchen.default(),
             substitutes=chosen,
-            avoided=tuple(avoid),
+            avoided=tuple(listed(avoid, "avoid")),
             after=after,
             with_drafts=with_drafts,
         )
-        answer = self.answer(_question(dish_type, list(ingredients), title), settings)
+        answer = self.answer(_question(dish_type, listed(ingredients, "ingredients"), title), settings)
         if answer.error is not None or not isinstance(answer.outcome, PlanResult):
             raise answer.error or UsageError("there is no answer", hint="Ask something.")
         return Plan(answer.outcome, self, settings, answer.notes)

@@ -6,11 +6,10 @@ The examples are of a Neo4j that holds the demo's FOON.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from foon_kg.foon.collected import Collected
-from foon_kg.foon.opened import Paths, Say, silent
+from foon_kg.foon.opened import Paths, Say, path_at, silent
 from foon_kg.model.errors import ReadError
 
 if TYPE_CHECKING:  # every question imports what it needs
@@ -63,7 +62,7 @@ class Changing(Collected):
         from foon_kg.loaders import Severity
         from foon_kg.loaders.video_tables import read_videos
 
-        results = list(read_videos([Path(path) for path in paths]))
+        results = list(read_videos([path_at(path) for path in paths]))
         bad = [notice for result in results for notice in result.notices if notice.severity is Severity.REJECTED]
         if bad:
             raise ReadError(str(bad[0]), hint="Mend it, or load with “foon load foon --bad-tolerance”.")

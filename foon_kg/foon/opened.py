@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
@@ -29,6 +29,20 @@ Say = Callable[[str], None]
 
 def silent(_: object) -> None:
     """Say nothing."""
+
+
+def listed(values: Iterable[Found], name: str) -> list[Found]:
+    """Return ``values``, an argument called ``name``, as a list; raises UsageError for one text and for no list."""
+    if isinstance(values, str | bytes | Mapping) or not isinstance(values, Iterable):
+        raise UsageError(f"{name} is a list, and no {type(values).__name__}", hint=f'As in: {name}=["…", "…"].')
+    return list(values)
+
+
+def path_at(path: Paths) -> Path:
+    """Return ``path``; raises UsageError for an empty one, which would be the folder that a program runs in."""
+    if not os.fspath(path):
+        raise UsageError("a path is empty", hint="“.” is the folder that you are in.")
+    return Path(path)
 
 
 class Opened:
@@ -63,7 +77,7 @@ class Opened:
         from foon_kg.loaders.video_tables import read_videos
         from foon_kg.model.drafted import surest
 
-        found = [result.subgraph for result in read_videos([Path(path) for path in paths])]
+        found = [result.subgraph for result in read_videos([path_at(path) for path in paths])]
         subgraphs = [subgraph for subgraph in found if subgraph is not None]
         if not subgraphs:
             names = ", ".join(map(str, paths)) or "no path"

@@ -9,9 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from difflib import get_close_matches
 from functools import lru_cache
+from itertools import chain
 
-from foon_kg.food import words
+from foon_kg.food import tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import ObjectNode, Recipe
@@ -47,7 +49,37 @@ def without_avoided(recipe: Recipe, avoided: Sequence[str]) -> tuple[Recipe, tup
         raise UsageError(
             f"nothing is left of the recipe: {'; '.join(notes)}", hint="Avoid less, or add other ingredients."
         )
-    return replace(recipe, ingredients=kept), notes
+    return replace(recipe, ingredients=kept), (*_unknown(recipe, avoided), *notes)
+
+
+def is_known(name: str) -> bool:
+    """Return whether a food, or a kind of food, is called ``name``: that leaves out what it means.
+
+    >>> is_known("nuts"), is_known("nutts")
+    (True, False)
+    """
+    wanted = words(canonical(name))
+    if tables().foods.is_listed(name) or _kinds(canonical(name)):
+        return True
+    return any(_has_in_turn(words(kind), wanted) for kind in chain(food_groups().groups, food_taxonomy().names))
+
+
+def _unknown(recipe: Recipe, avoided: Sequence[str]) -> Iterator[str]:
+    """Yield a note for each name that is ``avoided``, of which nothing is known and which leaves nothing out."""
+    asked = [wanted.object for wanted in recipe.ingredients]
+    for name in avoided:
+        if not is_known(name) and all(_why(food, name) is None for food in asked):
+            yield _nothing_called(name)
+
+
+def _nothing_called(name: str) -> str:
+    """Return the note that nobody knows what is avoided by ``name``, with what may be meant."""
+    from foon_kg.planning.spelling import spelled  # noqa: PLC0415 - few wishes have a word that nobody knows
+
+    near = get_close_matches(name.lower(), food_groups().groups, 1)
+    meant = near[0] if near else spelled(name.lower())
+    asked = f": did you mean “{meant}”?" if meant and meant != name.lower() else "."
+    return f"no food, and no kind of food, is called “{name}”{asked} Nothing is left out for it."
 
 
 def kitchen_without(kitchen: Kitchen, avoided: Sequence[str]) -> Kitchen:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import Literal
 
+from foon_kg.food import tables
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
@@ -12,6 +15,15 @@ from foon_kg.similarity import Similarity
 
 Method = Literal["frames", "paper"]
 """How trees are made: as foon-kg makes them, or by the paper's four algorithms to the letter, for comparison."""
+
+
+_BETWEEN = re.compile(r"\s*[,;]\s*|\s+(?:and|or|&)\s+", re.IGNORECASE)
+
+
+def _each(text: str) -> list[str]:
+    """Return the names that ``text`` has: two of "nuts, dairy", one of "half and half"."""
+    parts = [part for part in _BETWEEN.split(text) if part.strip()]
+    return parts if len(parts) > 1 and not tables().foods.is_listed(text) else [text]
 
 
 @dataclass(frozen=True)
@@ -36,7 +48,8 @@ class PlanSettings:
     make it after. ``explain`` asks for the reasons with every tree. ``with_drafts`` plans with drafts of recipes, too,
     where the FOON has some; whoever opens it minds that. The paper's ``method`` knows nothing of all this.
 
-    Raises :class:`~foon_kg.model.errors.UsageError` for something avoided that has no letter: no food is called so.
+    What is avoided may be told in one text ("nuts, dairy and eggs"). Raises
+    :class:`~foon_kg.model.errors.UsageError` for a name of it that has no letter, and for a text in place of a list.
 
     >>> PlanSettings(avoided=("2%",))
     Traceback (most recent call last):
@@ -54,7 +67,12 @@ class PlanSettings:
     with_drafts: bool = False
 
     def __post_init__(self) -> None:
-        odd = next((name for name in self.avoided if not any(letter.isalpha() for letter in canonical(name))), None)
+        given: object = self.avoided
+        if isinstance(given, str):  # its letters would be taken for names
+            raise UsageError(f"what is avoided is a list, and no “{given}”", hint='As in: ["nuts"].')
+        named = tuple(chain.from_iterable(map(_each, self.avoided)))
+        object.__setattr__(self, "avoided", named)
+        odd = next((name for name in named if not any(letter.isalpha() for letter in canonical(name))), None)
         if odd is not None:
             hint = "Name a food, or a kind of food, in letters."
             raise UsageError(f"“{odd}” is no food that can be avoided", hint=hint)

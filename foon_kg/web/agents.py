@@ -8,6 +8,7 @@ from typing import Annotated, Any, TypeVar
 from mcp.server import MCPServer
 from mcp.server.mcpserver.exceptions import ToolError
 from mcp.server.mcpserver.prompts import Prompt
+from mcp.server.mcpserver.tools import Tool
 from mcp_types import ToolAnnotations
 from pydantic import Field
 
@@ -59,12 +60,21 @@ def agent_server(service: FoonService, cypher: Cypher | None = None) -> MCPServe
     Without ``cypher`` (a FOON of files) that one says so.
     """
     tools = _Tools(service, cypher)
-    server = MCPServer("foon-kg", instructions=_INSTRUCTIONS, version=__version__, log_level="WARNING")
-    for tool in (tools.plan, tools.explain, tools.similar, tools.suggest, tools.cypher):
-        server.add_tool(tool, annotations=_LOOKS)
+    known = [_strict(tool) for tool in (tools.plan, tools.explain, tools.similar, tools.suggest, tools.cypher)]
+    server = MCPServer("foon-kg", instructions=_INSTRUCTIONS, version=__version__, log_level="WARNING", tools=known)
     for prompt in (cook_with, what_can_i_make, explore_graph):
         server.add_prompt(Prompt.from_function(prompt))
     return server
+
+
+def _strict(function: Callable[..., Any]) -> Tool:
+    """Return the tool that calls ``function``, and refuses arguments that it has not: who misspells avoid is told."""
+    tool = Tool.from_function(function, annotations=_LOOKS)
+    taken = tool.fn_metadata.arg_model
+    taken.model_config["extra"] = "forbid"
+    taken.model_rebuild(force=True)
+    tool.parameters = {**tool.parameters, "additionalProperties": False}
+    return tool
 
 
 def cook_with(

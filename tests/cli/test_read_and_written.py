@@ -101,6 +101,12 @@ def test_a_name_is_one_however_a_file_system_writes_it(tmp_path):
     assert names == {unicodedata.normalize("NFC", "crème brûlée")}
 
 
+@pytest.mark.parametrize("words", [["load", "foon", ""], ["plan", "--dish", "salad", "onion", "--files", ""]])
+def test_an_empty_path_is_not_the_folder_one_is_in(words):
+    code, said = foon(*words)
+    assert (code, "a path is empty" in said) == (2, True)
+
+
 def test_a_dish_type_that_is_misspelled_is_guessed(tmp_path):
     text = tmp_path / "cake.txt"
     text.write_text("Beat the egg.")

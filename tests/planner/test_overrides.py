@@ -40,6 +40,34 @@ def test_a_name_without_a_letter_is_refused_and_avoids_nothing(name):
         PlanSettings(avoided=("nuts", name))
 
 
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("nutts", "did you mean “nuts”?"),
+        ("zzz", "is called “zzz”."),
+        ("nuts", None),
+        ("kohlrabi", None),
+        ("dairy", None),
+        ("stone fruits", None),
+    ],
+)
+def test_what_nobody_knows_is_told_and_not_avoided_in_silence(name, said):
+    _, notes = without_avoided(SALAD, (name,))
+    told = [note for note in notes if "Nothing is left out for it" in note]
+    assert [said in note for note in told] == ([True] if said else [])
+
+
+def test_several_names_in_one_wish_are_several():
+    assert PlanSettings(avoided=("walnut, almond and dairy", "half and half")).avoided == (
+        "walnut",
+        "almond",
+        "dairy",
+        "half and half",
+    )
+    with pytest.raises(UsageError, match="is a list"):
+        PlanSettings(avoided="walnut")
+
+
 def objects(result):
     return [s for s in result.substitutions if s.kind == "object"]
 

@@ -65,6 +65,18 @@ def test_every_tool_says_what_it_does_and_that_it_only_looks(server):
     assert all(tool.description and tool.annotations.read_only_hint for tool in found.values())
 
 
+def test_an_argument_that_a_tool_has_not_is_refused(server):
+    async def asked():
+        async with Client(server) as client:
+            ingredients = {"ingredients": ["chopped onion", "walnut"], "dish_type": "salad"}
+            wrong = await client.call_tool("plan", {**ingredients, "avoids": ["nuts"]})
+            return wrong, (await client.list_tools()).tools
+
+    wrong, tools = anyio.run(asked)
+    assert "avoids" in refusal(wrong)
+    assert all(tool.input_schema["additionalProperties"] is False for tool in tools)
+
+
 def test_tools_answer(server):
     plan, explain, similar, suggest = map(
         value,
