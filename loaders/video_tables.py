@@ -119,7 +119,7 @@ def _wrong_with(text: str) -> str:
         if set(COLUMNS) <= {column.strip(' "\r\ufeff') for column in first.split(sign)}:
             return f"its columns are separated by {name}, and not by commas: save it as CSV with commas"
     missing = [column for column in COLUMNS if column not in columns_of(text)]
-    return f"the first line does not have the columns {', '.join(COLUMNS)}: {', '.join(missing)} is not there"
+    return f"the first line does not have the columns {', '.join(COLUMNS)}: not there: {', '.join(missing)}"
 
 
 def read_thing(text: str) -> Participant | None:

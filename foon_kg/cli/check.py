@@ -65,8 +65,8 @@ def check(  # noqa: PLR0917 - each parameter is an option of its own
     if not trees:
         raise UsageError("there is no tree to check", hint="Name files, - for standard input, or --rules.")
     judged = _judged(trees, recipe, kitchen, files, sayer(quiet=quiet))
-    for document, report in judged:
-        _show(document.tree, report, as_json=as_json)
+    for _, report in judged:
+        _show(report, as_json=as_json)
     if any(_is_refused(document, report) for document, report in judged):
         raise typer.Exit(1)
 
@@ -171,15 +171,8 @@ def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report
         yield replace(report, findings=findings, not_asked=not_asked)
 
 
-def _show(tree: TaskTree, report: Report, *, as_json: bool) -> None:
+def _show(report: Report, *, as_json: bool) -> None:
     if as_json:
         print_json(report.to_json())
     else:
-        typer.echo("\n".join(report.lines(_verdict(tree, report))))
-
-
-def _verdict(tree: TaskTree, report: Report) -> str:
-    if tree.error is not None:
-        return "no tree"
-    # a reference tree keeps the paper's own terms, which know neither robot nor cook
-    return report.verdict if tree.level is None else report.form_in_words
+        typer.echo("\n".join(report.lines()))

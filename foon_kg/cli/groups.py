@@ -41,7 +41,8 @@ class CarefulCommand(HelpedCommand):
         """Read ``args`` into the context ``ctx``; raises UsageError for an empty path: no folder is meant."""
         given = list(args)
         left: list[str] = super().parse_args(ctx, args)
-        if "" in given and "." not in given and any(path == Path() for path, _ in _paths(ctx.params)):
+        empty = any(not one or (one.startswith("--") and one.endswith("=")) for one in given)
+        if empty and "." not in given and any(path == Path() for path, _ in _paths(ctx.params)):
             raise UsageError(
                 "a path is empty", hint="Is a variable of the shell not set? “.” is the folder you are in."
             )

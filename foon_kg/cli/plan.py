@@ -289,7 +289,7 @@ def _questions(
 def _refuse_files(texts: Sequence[str]) -> None:
     """Raise UsageError where one of ``texts``, ingredients in words, is the name of a file."""
     for text in texts:
-        if Path(text).suffix and Path(text).is_file():
+        if Path(text).suffix and _is_there(text) and Path(text).is_file():
             hint = "Name each with --files: --files A --files B; recipe files are planned without --dish."
             raise UsageError(f"{text} is a file, and no ingredient", hint=hint)
 
@@ -310,7 +310,14 @@ def _stored_recipes(ids: Sequence[str], dish_type: str | None, say: Say) -> list
 
 
 def _looks_like_a_file(name: str) -> bool:
-    return name.endswith(".json") or os.sep in name or Path(name).exists()
+    return name.endswith(".json") or os.sep in name or _is_there(name)
+
+
+def _is_there(name: str) -> bool:
+    try:
+        return Path(name).exists()
+    except OSError:  # words that are too long for the name of a file
+        return False
 
 
 def _one_only(questions: Sequence[Question], alone: dict[str, bool], output: Path | None) -> None:

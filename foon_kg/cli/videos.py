@@ -36,7 +36,7 @@ def diff(
     """Show what loading files would change in the FOON.
 
     Units that are new, known from other videos, as before, or gone; and objects never seen before. Words that no table
-    has are told with what may be meant, a few by line and more in short, and so are rejected units. Changes nothing.
+    has are told with what may be meant, a few by line and more in short; each rejected unit by line. Changes nothing.
     """
     from foon_kg.cli.files_read import odd_words
     from foon_kg.cli.knowledge import front_door

@@ -159,8 +159,12 @@ class Utensil:
         return self.role == "storage" or self.source == "water"
 
     def works_like(self, other: Utensil) -> bool:
-        """Return whether this appliance works as the ``other`` does: it is of its group, or can do just the same."""
-        alike = bool(self.can) and (self.can, self.source) == (other.can, other.source)
+        """Return whether this appliance works as the ``other`` does: of its group, or just the same by power.
+
+        Of what heats or cools that is too little: a grill holds, heats and cooks, and so does a slow cooker.
+        """
+        by_power = self.source == other.source == "power"
+        alike = by_power and bool(self.can) and self.can == other.can
         return self.role == other.role == "appliance" and (self.group == other.group or alike)
 
 

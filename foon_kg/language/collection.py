@@ -61,7 +61,7 @@ class CollectionReader:
     def _understood(self, recipe: CollectedRecipe) -> UnderstoodRecipe:
         bare = bare_headings([line.text for line in recipe.lines])
         read = [
-            (line, () if place in bare and not line.detected else self._known[line])
+            (line, () if place in bare and not (line.detected or line.quantity) else self._known[line])
             for place, line in enumerate(recipe.lines)
         ]
         return UnderstoodRecipe(
@@ -191,10 +191,16 @@ def bare_headings(lines: Sequence[str]) -> frozenset[int]:
 
 
 def _is_bare_heading(text: str) -> bool:
-    """Whether a line is of two or three words, of which the last names a part, and no known food."""
-    words = text.strip(" *-_").split()
-    names_a_part = len(words) in {2, 3} and canonical(words[-1]) in _BARE
-    return names_a_part and not tables().foods.is_listed(" ".join(words).lower())
+    """Whether a line is of two or three words, of which the last names a part, and no known food.
+
+    What is the same kind of food without that word is one as it is sold: harissa paste, filo pastry.
+    """
+    words = text.lower().strip(" *-_").split()
+    if len(words) not in {2, 3} or canonical(words[-1]) not in _BARE:
+        return False
+    foods, name = tables().foods, " ".join(words)
+    sold = foods.food(" ".join(words[:-1]))
+    return not foods.is_listed(name) and not (sold.name and sold.is_a(foods.food(name).kind))
 
 
 def state_beside(food: str, text: str) -> str | None:

@@ -2,7 +2,8 @@
 
 Matching is cautious, because an allergy is worse than a bland salad: a name is avoided where its words say so
 (*walnut halves*), or where WordNet (:mod:`foon_kg.similarity.taxonomy`) or the food groups put it, or a part of its
-name, under what is avoided (*walnut oil*). What is left out is always said, with the reason.
+name, under what is avoided (*walnut oil*). What is left out is always said, with the reason. What a food that is sold
+ready was made of is not known: who must not eat eggs names mayonnaise, too.
 """
 
 from __future__ import annotations
@@ -53,7 +54,9 @@ def without_avoided(recipe: Recipe, avoided: Sequence[str]) -> tuple[Recipe, tup
 
 
 def is_known(name: str) -> bool:
-    """Return whether a food, or a kind of food, is called ``name``: that leaves out what it means.
+    """Return whether a food, or a kind of food, is called ``name``.
+
+    What is left out for it is what its words or kinds say, and not what a food is made of: mayonnaise is no egg.
 
     >>> is_known("nuts"), is_known("nutts")
     (True, False)
@@ -76,7 +79,7 @@ def _nothing_called(name: str) -> str:
     """Return the note that nobody knows what is avoided by ``name``, with what may be meant."""
     from foon_kg.planning.spelling import spelled  # noqa: PLC0415 - few wishes have a word that nobody knows
 
-    near = get_close_matches(name.lower(), food_groups().groups, 1)
+    near = get_close_matches(name.lower(), food_groups().groups, 1, _CLOSE)
     meant = near[0] if near else spelled(name.lower())
     asked = f": did you mean “{meant}”?" if meant and meant != name.lower() else "."
     return f"no food, and no kind of food, is called “{name}”{asked} Nothing is left out for it."
@@ -97,7 +100,8 @@ def household_fat(wants: Sequence[Want], title: str, kitchen: Kitchen, avoided: 
     fat = min(word_list("fat of a household"))
     if any(want.facts.is_any(word_list("brings fat to the pan")) for want in wants):
         return ""
-    said = any(phrase in title.casefold() for phrase in word_list("says that it is without fat"))
+    told = words(title)
+    said = any(_has_in_turn(told, words(phrase)) for phrase in word_list("says that it is without fat"))
     if said or why_avoided(fat, tuple(avoided)) is not None:
         return ""
     return "" if kitchen.lacks(ObjectNode(fat, ("liquid",), (), "in", "bottle")) else fat
@@ -107,6 +111,9 @@ def names_avoided(node: ObjectNode, avoided: Sequence[str]) -> bool:
     """Return whether ``node`` is an avoided food or says that it contains one."""
     return any(why_avoided(name, avoided) is not None for name in (node.label, *node.ingredients))
 
+
+_CLOSE = 0.8
+"""So alike (0 to 1, by :func:`difflib.get_close_matches`) a kind is called that may be meant."""
 
 _REASONS_KEPT = 1 << 16
 """For so many names, each with one wish, it is kept why they are avoided."""

@@ -93,11 +93,13 @@ def _considered(fit: Fit, taken: Fit) -> Considered:
 
 def _less_suited(fit: Fit, taken: Fit) -> str:
     """Return why a dish against which nothing speaks was not ``taken``: what of its score is less, if that is plain."""
+    if fit.score > taken.score:
+        return "it suits better, and another was asked for, or it came to no tree that is accepted"
     if fit.dish.frame.dish_type != taken.frame.dish_type:
         return f"it is of another type ({fit.frame.dish_type}), and suits less in all: {_scores(fit, taken)}"
     places, others = (sum(join.slot is not None for join in one.joins) for one in (fit, taken))
     if places < others:
-        return f"{places} of the foods have a place of their own in it, in the one that is taken {others}"
+        return f"{places} of the foods asked with a place of their own in it, and {others} in the one that is taken"
     return f"what it is built on, how it is made and called suit less in all: {_scores(fit, taken)}"
 
 

@@ -170,7 +170,7 @@ class Planner:
         ]
         frame = best.fit.frame
         goal = question.methods.goal_of(frame)
-        recorded = self.references.tree(goal, question.wanted(goal.ingredients)).units
+        recorded = self.references.searched(goal, question.wanted(goal.ingredients)).units
         return replace(
             best.result,
             units=with_measures(with_asked(best.result.units, foods), recorded, frame.video),

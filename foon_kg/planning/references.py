@@ -20,6 +20,10 @@ MOST_TREES = 4096
 """How many reference trees are kept."""
 
 
+_Asked = tuple[ObjectNode, tuple[tuple[str, int], ...]]
+"""A goal, and which labels stand for which required ingredient."""
+
+
 class References:
     """Reference trees from one view, by the kitchen and the time limit of ``settings``.
 
@@ -33,7 +37,8 @@ class References:
         self.units = units
         self._explored = Explored()
         self._index: UnitIndex | None = None
-        self._kept: Recent[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = Recent(MOST_TREES)
+        self._kept: Recent[_Asked, ReferenceTree] = Recent(MOST_TREES)
+        self._last: tuple[_Asked, ReferenceTree] | None = None
 
     def tree(self, goal: Goal, wanted: Mapping[str, int]) -> ReferenceTree:
         """Return the best tree of ``goal`` that is found in time, ``exact`` where there is no better one.
@@ -41,7 +46,7 @@ class References:
         ``wanted`` maps labels of foods to the number (from 0) of the required ingredient for which each stands; several
         may stand for one. Raises what the view raises.
         """
-        key = (goal.node, tuple(sorted(wanted.items())))
+        key = self._key(goal, wanted)
         found = self._kept.find(key)
         if found is None:
             problem = self.problem(goal, wanted)
@@ -50,7 +55,20 @@ class References:
             found = retrieve_once(problem, self.view.memory, time_limit=self.settings.time_limit, explored=explored)
             if found.exact:  # one that time cut short may be better the next time
                 self._kept[key] = found
+        self._last = key, found
         return found
+
+    @staticmethod
+    def _key(goal: Goal, wanted: Mapping[str, int]) -> _Asked:
+        return goal.node, tuple(sorted(wanted.items()))
+
+    def searched(self, goal: Goal, wanted: Mapping[str, int]) -> ReferenceTree:
+        """Return what :meth:`tree` found last for this ``goal`` and ``wanted``, be it cut short by time; else ask it.
+
+        So of one answer no tree is searched twice, and all that is told of its reference is of one tree.
+        """
+        asked, found = self._last if self._last is not None else (None, None)
+        return found if found is not None and asked == self._key(goal, wanted) else self.tree(goal, wanted)
 
     def problem(self, goal: Goal, wanted: Mapping[str, int]) -> SearchProblem:
         """Return what :meth:`tree` asks of the search: ``goal`` with the foods ``wanted`` there."""

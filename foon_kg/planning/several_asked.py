@@ -27,18 +27,40 @@ def each_food(text: str) -> tuple[str, ...]:
 
     >>> each_food("400 g chopped onion and 2 tomatoes, diced"), each_food("salt and pepper")
     (('400 g chopped onion', '2 tomatoes, diced'), ('salt', 'pepper'))
-    >>> each_food("salt, pepper and olive oil")
-    ('salt', 'pepper', 'olive oil')
+    >>> each_food("salt, pepper and olive oil"), each_food("1 tsp onion and garlic powder")
+    (('salt', 'pepper', 'olive oil'), ('1 tsp onion powder', 'garlic powder'))
     >>> each_food("1 cup half and half"), each_food("onion, peeled and chopped"), each_food("salt and pepper crackers")
     (('1 cup half and half',), ('onion, peeled and chopped',), ('salt and pepper crackers',))
     """
     if _AND.search(text) is None or _has_a_name_with_and(text):
         return (text,)
-    for between in (_AND_OR_COMMA, _AND):
-        parts = tuple(part.strip() for part in between.split(text) if part.strip())
-        if len(parts) > 1 and all(map(_names_one, parts)):
-            return parts
-    return (text,)
+    parts = _sharing_the_last_word(_parts(text))
+    return parts if len(parts) > 1 and all(map(_names_one, parts)) else (text,)
+
+
+def _parts(text: str) -> tuple[str, ...]:
+    """Return what stands between commas and each "and", a part without a food together with the one before it."""
+    found: list[str] = []
+    begin = 0
+    for between in (*_AND_OR_COMMA.finditer(text), None):
+        end = len(text) if between is None else between.start()
+        if found and not _names_one(text[begin:end].strip()):
+            found[-1] = text[text.rindex(found[-1], 0, begin) : end].strip()  # "diced" of "tomatoes, diced"
+        else:
+            found.append(text[begin:end].strip())
+        begin = len(text) if between is None else between.end()
+    return tuple(part for part in found if part)
+
+
+def _sharing_the_last_word(parts: tuple[str, ...]) -> tuple[str, ...]:
+    """Return ``parts`` of which the first have the last word of the last, where that names foods: onion powder."""
+    *others, last = parts
+    _, *more = last.partition(",")[0].split()
+    if not more:
+        return parts
+    shared = [f"{part} {more[-1]}" for part in others]
+    are_listed = all(tables().foods.is_listed(f"{part.split()[-1]} {more[-1]}") for part in others)
+    return (*shared, last) if others and are_listed else parts
 
 
 def read_each(text: str, read: Read) -> list[tuple[RequiredIngredient, tuple[str, ...]]]:
@@ -61,7 +83,7 @@ def read_each(text: str, read: Read) -> list[tuple[RequiredIngredient, tuple[str
 def names_in(texts: Iterable[str]) -> tuple[str, ...]:
     """Return all that :meth:`IngredientWords.read` may take for the name of a food in ``texts``."""
     names: dict[str, None] = {}
-    for text in (one for several in texts for one in each_food(several)):
+    for text in (one for several in texts for one in (several, *each_food(without_part(several)[0]))):
         for words in (text.partition(",")[0].split(), text.replace(",", " ").split()):
             names |= dict.fromkeys(" ".join(words[n:]) for n in range(len(words)))
     return tuple(names)

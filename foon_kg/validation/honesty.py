@@ -55,8 +55,12 @@ def _undeclared_evidence(case: Case) -> Iterator[Finding]:
     for place, unit in enumerate(case.tree.units):
         if unit.seen_in and _nearest(case, unit) > Grounding.LIKE and unit.grounding is None:
             facts = _facts(case, unit)
-            foods = ", ".join(sorted(facts.inputs or facts.appliances)) or "nothing"
-            yield Finding("C7", f"no substitution says what {foods} is handled like", place)
+            if facts.inputs or not facts.appliances:
+                foods = ", ".join(sorted(facts.inputs)) or "nothing"
+                why = f"no substitution says what {foods} is handled like"
+            else:
+                why = f"no unit that it names has {' or '.join(sorted(facts.appliances))}, and no grounding says so"
+            yield Finding("C7", why, place)
 
 
 def _incomplete(entry: Substitution) -> Iterator[str]:

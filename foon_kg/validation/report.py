@@ -123,22 +123,29 @@ class Report:
 
     @property
     def form_in_words(self) -> str:
-        """Whether the form is kept, or which of its rules are broken."""
+        """Whether there is a tree that keeps the form, or which of its rules are broken."""
+        if not self.played:
+            return "no tree"
         broken = [rule for rule in self.fatal if rule in FORM]
         return f"form broken: {', '.join(broken)}" if broken else "form kept"
 
     @property
     def verdict(self) -> str:
-        """Whether the tree is accepted, by robot and by cook, and keeps its form, in words."""
-        if not self.played:
-            return "no tree"
+        """Whether the tree is accepted, by robot and by cook, and keeps its form, in words.
+
+        A reference tree keeps the paper's own terms, which know neither robot nor cook.
+        """
+        if not self.played or not ROBOT.isdisjoint(
+            rule for rule, why in self.not_asked if not why.startswith("in part")
+        ):
+            return self.form_in_words
         said = "accepted" if self.accepted else "not accepted"
         robot, cook = ("yes" if accepts else "no" for accepts in (self.robot, self.cook))
         return f"{said} (robot {robot}, cook {cook}, {self.form_in_words})"
 
-    def lines(self, verdict: str) -> Iterator[str]:
-        """Yield the lines that ``foon check`` prints: ``verdict``, findings, notes, which rules were not asked."""
-        yield f"{self.name}: {verdict}"
+    def lines(self) -> Iterator[str]:
+        """Yield the lines that ``foon check`` prints: the verdict, findings, notes, which rules were not asked."""
+        yield f"{self.name}: {self.verdict}"
         for level, minor in (("fatal", False), ("minor", True)):
             findings = [finding for finding in self.findings if finding.minor is minor]
             if findings:
@@ -148,7 +155,7 @@ class Report:
         yield from self._not_asked_in_words()
 
     def _not_asked_in_words(self) -> Iterator[str]:
-        """Yield, for each reason, the rules that were not asked; C9 compares trees, and is asked of one never."""
+        """Yield, for each reason, the rules that were not asked; not C9 alone: it compares trees."""
         rules: dict[str, list[str]] = {}
         for rule, why in self.not_asked:
             rules.setdefault(why, []).append(rule)
@@ -157,7 +164,7 @@ class Report:
                 yield f"  not asked: {', '.join(named)} ({why})"
 
     def __str__(self) -> str:
-        return "\n".join(self.lines(self.verdict))
+        return "\n".join(self.lines())
 
     def to_json(self) -> dict[str, Any]:
         """Return the report as JSON."""

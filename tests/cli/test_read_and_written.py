@@ -62,7 +62,7 @@ def test_no_other_output_is_written_over_what_is_read(tmp_path):
         ("", "there is nothing in its first line"),
         (TABLE.replace(",", ";", 5), "separated by semicolons"),
         (TABLE.replace(",", "\t"), "separated by tabs"),
-        (TABLE.replace("motion", "move"), "motion is not there"),
+        (TABLE.replace("motion", "move"), "not there: motion"),
     ],
 )
 def test_a_wrong_heading_is_told_as_what_it_is(tmp_path, content, said):
@@ -101,7 +101,9 @@ def test_a_name_is_one_however_a_file_system_writes_it(tmp_path):
     assert names == {unicodedata.normalize("NFC", "crème brûlée")}
 
 
-@pytest.mark.parametrize("words", [["load", "foon", ""], ["plan", "--dish", "salad", "onion", "--files", ""]])
+@pytest.mark.parametrize(
+    "words", [["load", "foon", ""], ["plan", "--dish", "salad", "onion", "--files", ""], ["stats", "--files="]]
+)
 def test_an_empty_path_is_not_the_folder_one_is_in(words):
     code, said = foon(*words)
     assert (code, "a path is empty" in said) == (2, True)

@@ -60,6 +60,7 @@ TOO_MUCH = {
     "not not not": "RETURN " + "NOT " * 3000 + "true",
     "900 questions in one": " UNION ".join(["RETURN 1 AS x"] * 900),
     "a pattern that tries again": "RETURN $text =~ '(a|aa)*b'",
+    "a pattern joined otherwise": "RETURN $text =~ '(a|aa)' || '*b'",
     "a pattern of many parts": "RETURN $text =~ '.*.*.*.*' + '.*b'",
     "a pattern given as one": "RETURN $text =~ $pattern",
     "a pattern that nobody knows": "MATCH (n) RETURN n.name =~ n.pattern",

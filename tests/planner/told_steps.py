@@ -56,6 +56,11 @@ def taking(told: Told, motion: str) -> set[str]:
     return {one for inputs, done, _ in told if done == motion for one in inputs}
 
 
+def last(told: Told, food: str) -> int:
+    """Return the last step that takes a food by its own name."""
+    return max(place for place, (inputs, _, _) in enumerate(told) if food in inputs)
+
+
 def states_of(told: Told, food: str) -> set[str]:
     """Return all states in which a food is seen."""
     return {state for _, _, outputs in told for node in outputs if node.label == food for state in node.states}

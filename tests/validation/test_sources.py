@@ -211,7 +211,7 @@ def test_c8_a_step_without_food_and_appliance_may_claim_anything():
 
 def test_c7_a_step_without_food_whose_evidence_is_another_appliance_says_so():
     text = "oven (off) → TURN ON → oven (on)\nseen in: tomatoes 1"
-    assert found("C7", text, FOON) == ["C7 step 1: no substitution says what oven is handled like"]
+    assert found("C7", text, FOON) == ["C7 step 1: no unit that it names has oven, and no grounding says so"]
 
 
 def test_c8_a_declared_equivalent_counts_in_one_direction():

@@ -107,8 +107,9 @@ class Bringing:
         if found is not None:
             return found
         powder = form_of(self.known, transport.stuff.label, transport.stuff.states) == "powder"
-        ways = [way for way in groups[-1].ways if not (powder and way[0] in word_list("picks up"))]
-        return self.bench.require(ways or _BY_HAND, transport.stuff.foods)
+        ways = groups[-1].ways or _BY_HAND
+        able = [way for way in ways if way[0] not in word_list("picks up")] if powder else ways
+        return self.bench.require(able or ways, transport.stuff.foods)
 
     def _groups(self, transport: Transport) -> Iterator[_Ways]:
         """Yield the ways to bring a food, group by group, the most fitting first."""

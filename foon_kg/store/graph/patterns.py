@@ -71,7 +71,7 @@ _SIGNS_BEFORE = frozenset("([{,|:=")
 """The signs behind which one begins, and to which nothing binds it."""
 
 _ENDS_PATTERN = frozenset(")]},|;")
-"""The signs that end a pattern, as every word does."""
+"""The signs that end a pattern, as every word does; but ``||`` joins texts as ``+`` does, and is refused."""
 
 _ESCAPED = {"n": "\n", "r": "\r", "t": "\t", "b": "\b", "f": "\f"}
 """What a letter behind a backslash is in a string of Cypher; any other sign is itself (``\\u`` is refused before)."""
@@ -107,7 +107,8 @@ def _pattern(tokens: Sequence[Token], parameters: Mapping[str, Any]) -> str:
         if is_operand:
             parts.append(_value_of(token, parameters))
         elif token.text != "+":
-            if token.kind in {"word", "quoted"} or token.text in _ENDS_PATTERN:
+            joined = token.text == "|" and [one.text for one in tokens[number + 1 : number + 2]] == ["|"]
+            if not joined and (token.kind in {"word", "quoted"} or token.text in _ENDS_PATTERN):
                 break
             raise too_much(
                 f"what follows =~ is more than strings and parameters that are joined by +: {token.text}",
