@@ -174,7 +174,8 @@ class IngredientWords:
         """Return where the longest listed name that ends ``words`` begins; ``found`` where it is in a state."""
         is_listed = tables().foods.is_listed
         longer = next((place for place in range(found) if is_listed(" ".join(words[place:]))), found)
-        is_in_a_state = not self._states_in(words[longer:found])[1] and is_listed(" ".join(words[found:]))
+        rest = self._states_in(words[longer:found])[1]
+        is_in_a_state = all(word.lower() in tables().states for word in rest) and is_listed(" ".join(words[found:]))
         return found if is_in_a_state else longer
 
     def _ends_with_state(self, words: Sequence[str]) -> bool:

@@ -69,7 +69,7 @@ class PlanSettings:
     def __post_init__(self) -> None:
         given: object = self.avoided
         if isinstance(given, str):  # its letters would be taken for names
-            raise UsageError(f"what is avoided is a list, and no “{given}”", hint='As in: ["nuts"].')
+            raise UsageError(f"what is avoided is a list, and no “{given}”", hint="A list of names, even of one.")
         named = tuple(chain.from_iterable(map(_each, self.avoided)))
         object.__setattr__(self, "avoided", named)
         odd = next((name for name in named if not any(letter.isalpha() for letter in canonical(name))), None)

@@ -173,7 +173,7 @@ def test_a_problem_of_the_whole_foon_has_what_the_kitchen_file_names(export, sto
         (("{story}", "-f", "dot", "--weights", "{story}"), "--weights means nothing for dot"),
         (("--files", "{story}", "-f", "weights"), "has no weights of motions"),
         (("{story}", "-f", "weights"), "a task tree cannot be written as weights"),
-        (("{story}", "-f", "pddl", "-o", "{story}"), "File exists"),
+        (("{story}", "-f", "pddl", "-o", "{story}"), "is read, and would be written over"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_is_wrong_usage_and_says_why(export, story, tmp_path, words, says):
