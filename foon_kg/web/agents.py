@@ -16,7 +16,7 @@ from foon_kg import __version__
 from foon_kg.foon import Substitute
 from foon_kg.model.errors import FoonError, UsageError, WriteRefused
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.web.asking import AT_HAND, DRAFTS, MOST_INGREDIENTS, MOST_THINGS, DishType, Words
+from foon_kg.web.asking import AT_HAND, AVOIDED, DRAFTS, MOST_INGREDIENTS, MOST_THINGS, DishType, Words
 from foon_kg.web.questions import PlanQuestion, Question, SuggestQuestion
 from foon_kg.web.service import FoonService
 
@@ -39,7 +39,7 @@ Ingredients = Annotated[
 Substitutes = Annotated[
     dict[str, str], Field(max_length=MOST_INGREDIENTS, description="Handle this food like that known one.")
 ]
-Avoided = Annotated[list[Words], Field(max_length=20, description="Foods or kinds of food (nuts) to leave out.")]
+Avoided = Annotated[list[Words], Field(max_length=20, description=AVOIDED)]
 Title = Annotated[
     str, Field(max_length=200, description="What the dish is called, which is read: a lasagna is laid in layers.")
 ]

@@ -40,6 +40,9 @@ Title = Annotated[
 EXPORT = (
     "Also answer the plan as files of this format: foon, json, dot, mermaid, graphml, markdown, behaviour-tree, pddl."
 )
+AVOIDED = (
+    "Foods or kinds of food (nuts) to leave out. What ready food is made of is not known: for egg name mayonnaise, too."
+)
 DRAFTS = "Plan after dishes, too, that were only drafted from the words of recipes."
 Pairs = Annotated[int, Field(ge=1, le=4)]
 Kitchen = Annotated[list[Words], Field(max_length=MOST_THINGS, description=AT_HAND, examples=[[]])]
@@ -69,7 +72,7 @@ class PlanAsked(Asked):
         examples=[["diced tomato", "sliced cucumber", "olive oil"]],
     )
     substitutes: list[SubstituteAsked] = Field([], max_length=MOST_INGREDIENTS, examples=[[]])
-    avoid: list[Words] = Field([], max_length=20, description="Foods or kinds of food (nuts).", examples=[[]])
+    avoid: list[Words] = Field([], max_length=20, description=AVOIDED, examples=[[]])
     kitchen: Kitchen = []
     after: After = ""
     title: Title = ""
