@@ -161,8 +161,8 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     there is none, the answer says what is missing.
 
     A food that --substitute names is handled like the known one, however unlike they are; the answer says how unlike.
-    What --avoid names is matched with care, kinds of food and parts of names included; what is left out is said. What
-    ready food is made of is not known: who must not eat egg names mayonnaise, too, and who must not eat gluten flour.
+    What --avoid names is matched with care, kinds of food and parts of names included; what is left out is said. Of the
+    usual allergens (egg, gluten, milk …) what is as a rule made with them is left out, too; what a packet says counts.
     --title is read for ingredients in words: a creamy soup is blended, a lasagna laid in layers.
     --after says which recorded dish to follow, instead of the one that suits best.
     --with-drafts takes dishes, too, that were drafted from the words of recipes: those that foon load drafts brought

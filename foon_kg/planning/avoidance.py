@@ -2,13 +2,13 @@
 
 Matching is cautious, because an allergy is worse than a bland salad: a name is avoided where its words say so
 (*walnut halves*), or where WordNet (:mod:`foon_kg.similarity.taxonomy`) or the food groups put it, or a part of its
-name, under what is avoided (*walnut oil*). What is left out is always said, with the reason. What a food that is sold
-ready was made of is not known: who must not eat eggs names mayonnaise, too.
+name, under what is avoided (*walnut oil*), or where it is as a rule made with an allergen that is avoided (mayonnaise
+with egg, by ``food/allergens.toml``). What is left out is always said, with the reason.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
@@ -16,6 +16,7 @@ from itertools import chain
 
 from foon_kg.food import tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.shipped import shipped
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import ObjectNode, Recipe
 from foon_kg.model.errors import UsageError
@@ -56,13 +57,13 @@ def without_avoided(recipe: Recipe, avoided: Sequence[str]) -> tuple[Recipe, tup
 def is_known(name: str) -> bool:
     """Return whether a food, or a kind of food, is called ``name``.
 
-    What is left out for it is what its words or kinds say, and not what a food is made of: mayonnaise is no egg.
-
     >>> is_known("nuts"), is_known("nutts")
     (True, False)
     """
     wanted = words(canonical(name))
     if tables().foods.is_listed(name) or _kinds(canonical(name)):
+        return True
+    if any(wanted in _names(called, row) for called, row in shipped("allergens").items()):
         return True
     return any(_has_in_turn(words(kind), wanted) for kind in chain(food_groups().groups, food_taxonomy().names))
 
@@ -130,7 +131,20 @@ def _why(food: str, avoided: str) -> str | None:
         kind = next((kind for kind in _kinds(part) if _has_in_turn(words(kind), wanted)), None)
         if kind is not None:
             return f"{part} belongs to “{kind}”"
-    return None
+    return f"“{avoided}” may be in it" if _is_made_with(food, wanted) else None
+
+
+def _names(called: str, row: Mapping[str, Sequence[str]]) -> set[tuple[str, ...]]:
+    """Return the names of the allergen of a ``row``, as words."""
+    return {words(name) for name in (called, *row["called"])}
+
+
+def _is_made_with(food: str, wanted: tuple[str, ...]) -> bool:
+    """Return whether ``food`` is as a rule made with what ``wanted``, the words of a name, are an allergen's."""
+    meant = tables().foods.food(canonical(food))
+    names = {meant.name, meant.taken_for}
+    rows = (row for called, row in shipped("allergens").items() if wanted in _names(called, row))
+    return any(meant.is_of(*row["has"]) or not names.isdisjoint(row["has"]) for row in rows)
 
 
 def _parts(name: str) -> Iterator[str]:

@@ -41,7 +41,7 @@ EXPORT = (
     "Also answer the plan as files of this format: foon, json, dot, mermaid, graphml, markdown, behaviour-tree, pddl."
 )
 AVOIDED = (
-    "Foods or kinds of food (nuts) to leave out. What ready food is made of is not known: for egg name mayonnaise, too."
+    "Foods or kinds of food (nuts) to leave out; of the usual allergens (egg, gluten) what is as a rule made with them."
 )
 DRAFTS = "Plan after dishes, too, that were only drafted from the words of recipes."
 Pairs = Annotated[int, Field(ge=1, le=4)]

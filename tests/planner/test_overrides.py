@@ -11,6 +11,8 @@ from planner.dishes import KITCHEN, SETTINGS, questions
 from planner.judged import fatal
 from planner.test_demo_dishes import SNAPSHOT
 
+from foon_kg.food import tables
+from foon_kg.food.shipped import shipped
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
@@ -31,6 +33,31 @@ SALAD = recipe(("kohlrabi", "chopped"), ("tomato", "chopped"), ("olive oil", "li
 def plan(asked, *, substitutes=(), avoided=()):
     wishes = replace(SETTINGS, substitutes=tuple(Substitute(*pair) for pair in substitutes), avoided=avoided)
     return Planner(SNAPSHOT, wishes, SNAPSHOT.units).plan(asked)
+
+
+@pytest.mark.parametrize(
+    ("allergen", "foods", "others"),
+    [
+        ("eggs", ["mayonnaise", "meringue"], ["onion", "olive oil"]),
+        ("gluten", ["flour", "bread", "spaghetti", "soy sauce"], ["rice", "potato", "rice noodle"]),
+        ("lactose", ["butter", "yogurt", "cheddar"], ["olive oil", "tofu"]),
+        ("tree nuts", ["walnut", "marzipan"], ["onion"]),
+        ("crustaceans", ["shrimp", "crab"], ["salmon", "mussel"]),
+        ("sesame", ["tahini", "hummus"], ["sugar"]),
+        ("celery", ["chicken stock"], ["flour", "sugar", "salt"]),
+    ],
+)
+def test_what_is_made_with_an_allergen_is_left_out(allergen, foods, others):
+    assert all(why_avoided(food, [allergen]) for food in foods)
+    assert not any(why_avoided(food, [allergen]) for food in others)
+    _, notes = without_avoided(recipe((foods[0], "whole"), ("kohlrabi", "chopped")), (allergen,))
+    assert [note.startswith(f"“{foods[0]}” is left out") for note in notes] == [True]
+
+
+def test_allergens_name_foods_and_kinds_that_the_tables_have():
+    foods = tables().foods
+    named = [(name, one) for name, row in shipped("allergens").items() for one in row["has"]]
+    assert [(name, one) for name, one in named if one not in foods.kinds and not foods.is_listed(one)] == []
 
 
 @pytest.mark.parametrize("name", ["", " ", "-", "2%", "★"])
