@@ -201,5 +201,5 @@ def test_the_commands_load_and_remove_drafts(connection, empty_graph, drafts_fil
     assert "5 inserted, 0 replaced, 0 unchanged, 1 left out" in foon("load", "drafts", drafts_file)
     assert "no draft “draft:x”" in foon("remove", "draft:x", code=2)
     assert "1 drafts gone" in foon("remove", "draft:c1")
-    assert "are videos and drafts" in foon("remove", "draft:s0", "greek_salad", code=2)
+    assert "videos and drafts cannot be removed together" in foon("remove", "draft:s0", "greek_salad", code=2)
     foon("plan", "--dish", "cookie", *BISCUITS[1], "--with-drafts", code=3)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from planner.told_steps import first, motions
+from planner.told_steps import first, inside, motions
 
 from foon_kg.food.lists import word_list
 
@@ -286,11 +286,14 @@ def test_no_shaker_strews_whole_leaves(public_plans, leaf, storage):
     assert seen.container == storage
 
 
-def test_a_dry_rub_is_rubbed_and_a_wet_one_brushed(steps):
+def test_no_brush_takes_up_a_dry_rub(steps):
     rub = ("brown sugar:granulated", "paprika:smoked", "salt:granulated", "black pepper:ground")
     dish = ("roast", "Rubbed Venison Roast", "venison roast:raw", "beef broth:liquid", "onion:cut")
-    assert "rub" in motions(steps(*dish, *rub))
-    assert "brush" not in motions(steps(*dish, *rub))
+    told = steps(*dish, *rub)
+    assert "brush" not in motions(told)
+    assert inside(told, "mix") == {one.split(":")[0] for one in rub}
+    on_it = next(place for place, (inputs, _, _) in enumerate(told) if {"mixture", "baking dish"} <= inputs)
+    assert on_it < motions(told).index("bake")
 
 
 def test_whipped_cream_comes_out_of_a_tub(public_plans):
