@@ -69,6 +69,12 @@ class Tables:
         """What each listed state says."""
         return {name.lower(): state_row(name, row) for name, row in shipped("states")["states"].items()}
 
+    @property
+    def _called(self) -> Mapping[str, str]:
+        """As which listed state each other word of recipes is read."""
+        called: Mapping[str, str] = shipped("states")["called"]
+        return called
+
     @cached_property
     def motions(self) -> Mapping[str, Motion]:
         """Motions of several words that do something else than their words."""
@@ -136,8 +142,23 @@ class Tables:
         found = self._states.get(name)
         if found is None:
             make_room(self._states)
-            found = self._states[name] = self.states.get(name.lower()) or self._of_words(name)
+            low = name.lower()
+            found = self._states[name] = self.states.get(self._called.get(low, low)) or self._of_words(name)
         return found
+
+    def state_called(self, name: str) -> str:
+        """Return as which listed state recipes mean the word ``name``, else ``name`` itself.
+
+        >>> tables().state_called("julienne"), tables().state_called("thin slivers"), tables().state_called("smoky")
+        ('julienned', 'slivered', 'smoky')
+        """
+        low = name.lower()
+        if low in self.states:
+            return name
+        if low in self._called:
+            return self._called[low]
+        meant = (self._called.get(word, word) for word in reversed(low.split()))
+        return next((state for state in meant if state in self.states and "cut" in self.states[state].earns), name)
 
     def motion(self, name: str) -> Motion:
         """Return what the motion ``name`` does: as the phrase is listed, else all that its words do."""
@@ -148,7 +169,8 @@ class Tables:
         return found
 
     def _of_words(self, name: str) -> State:
-        listed = [self.states[word] for word in sorted(plain_words(name)) if word in self.states]
+        said = (self._called.get(word, word) for word in sorted(plain_words(name)))
+        listed = [self.states[word] for word in said if word in self.states]
         return State(
             name,
             frozenset().union(*(row.earns for row in listed)),

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
-from foon_kg.food.lists import word_list
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.tables import Tables
 
 _JOINT = ", "
+_TWO = r",|\band\b"
 
 
 def asked_state(states: Sequence[str], known: Tables) -> str:
@@ -27,8 +29,18 @@ def asked_state(states: Sequence[str], known: Tables) -> str:
 
 
 def in_turn(state: str) -> tuple[str, ...]:
-    """Return the states that an asked state names, in the order in which they come about."""
-    return tuple(part for part in (part.strip() for part in state.split(_JOINT.strip())) if part)
+    """Return the states that an asked state names, in the order in which they come about.
+
+    >>> in_turn("boiled, grated"), in_turn("peeled and deveined"), in_turn("juice and zest")
+    (('boiled', 'grated'), ('peeled', 'deveined'), ('juice and zest',))
+    """
+    parts = _parts(_TWO, state)
+    of_two = says(parts, "is off the outside") and len(parts) > 1  # the zest, and the juice of what is left
+    return _parts(_JOINT.strip(), state) if of_two else parts
+
+
+def _parts(between: str, state: str) -> tuple[str, ...]:
+    return tuple(part for part in (part.strip() for part in re.split(between, state)) if part)
 
 
 def _matters_for(last: str, state: str, known: Tables) -> bool:

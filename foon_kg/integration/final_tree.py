@@ -114,6 +114,8 @@ def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:
     if want.cooked and want.asked != _COOKED and bench.known.state(want.asked).needs_heat:
         return _COOKED
     alone = list(_shown_alone(bench, stuff.number))
+    if any(want.make in one.node.states for one in alone):  # as it was read: skinned tomatoes were peeled, then cut
+        return want.make
     last = alone[-1].node.states if alone else ()
     made = [state for state in last if state not in want.leaf]
     return next(iter((*made, *last, *want.leaf)), "")

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Level, singular, words
 from foon_kg.food.bites import is_eaten_by_bites
-from foon_kg.food.lists import says, word_list
+from foon_kg.food.lists import says, word_list, word_lists
 from foon_kg.food.rows import Dish
 from foon_kg.model import ObjectNode
 from foon_kg.validation.case import Case
@@ -127,10 +127,18 @@ def whole(case: Case) -> Iterator[Finding]:
             if not _asked_so(case, part):
                 yield Finding("K2", f"the remains of {part.name} are in the dish")
         elif not part.unstated:
-            yield from _untreated(part)
+            if not _stays_whole(case, part):
+                yield from _untreated(part)
             if part.food.is_any(word_list("is taken out of the dish")) and _is_left_in(case, part):
                 yield Finding("K2", f"{part.name} is in the dish, and nobody eats it", minor=True)
     yield from _more_than_a_bite(case)
+
+
+def _stays_whole(case: Case, part: Part) -> bool:
+    """Whether a recipe asks for a food in one piece that stays so in a dish of such a type: olives, a whole chilli."""
+    lists = (word_lists().get(f"stays whole in {dish_type}", frozenset()) for dish_type in case.dish_types)
+    asked = (one.state for one in case.required if singular(one.object) == part.name)
+    return part.fine == 0 and any(map(part.food.is_any, lists)) and says(asked, "is asked in one piece")
 
 
 def _untreated(part: Part) -> Iterator[Finding]:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import tomllib
+from importlib.resources import files
+
 import pytest
 
 from foon_kg.food import tables
@@ -37,3 +40,25 @@ def test_states_come_about_in_turn():
     assert in_turn("boiled, chopped") == ("boiled", "chopped")
     assert in_turn("soft mass") == ("soft mass",)
     assert in_turn("") == ()
+    assert in_turn("peeled and deveined") == ("peeled", "deveined")
+    assert in_turn("juice and zest") == ("juice and zest",)
+
+
+@pytest.mark.parametrize(
+    ("word", "state"),
+    [("julienne", "julienned"), ("Slices", "sliced"), ("cut into thin slivers", "slivered"), ("rings", "ring shaped")],
+)
+def test_another_word_for_a_cut_means_the_listed_state_and_says_as_much_of_a_food(word, state):
+    assert tables().state_called(word) == state
+    assert tables().state(word).earns == tables().state(state).earns
+
+
+@pytest.mark.parametrize("word", ["sliced", "smoky", "", "leaves", "skin on"])
+def test_what_is_listed_or_no_cut_is_left_as_it_is_said(word):
+    assert tables().state_called(word) == word
+
+
+def test_each_other_word_stands_for_a_listed_state_and_is_none_itself():
+    called = tomllib.loads(files("foon_kg.food").joinpath("states.toml").read_text(encoding="utf-8"))["called"]
+    assert set(called.values()) <= tables().states.keys()
+    assert not called.keys() & tables().states.keys()

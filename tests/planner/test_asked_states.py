@@ -225,3 +225,44 @@ def test_roasties_are_boiled_before_they_are_baked_in_their_fat(steps):
     )
     baked = next(place for place, (_, motion, _) in enumerate(told) if motion == "bake")
     assert water < fat < baked
+
+
+@pytest.mark.parametrize(
+    ("dish", "food", "made", "rest"),
+    [
+        ("noodle", "carrot:julienne", "julienned", ("noodle:whole", "cabbage:shredded", "oil:liquid")),
+        ("stir-fry", "carrot:thin matchsticks", "julienned", ("broccoli:florets", "oil:liquid", "soy sauce:sauce")),
+        ("stir-fry", "chicken:slices", "sliced", ("broccoli:florets", "oil:liquid", "soy sauce:sauce")),
+        ("salad", "onion:rings", "ring shaped", ("lettuce:leaves", "tomato:sliced", "olive oil:liquid")),
+        ("salad", "orange:segments", "segmented", ("lettuce:leaves", "walnut:chopped", "olive oil:liquid")),
+        ("muffin", "crystallized ginger:finely chopped", "finely chopped", ("flour:powder", "egg:raw", "milk:liquid")),
+    ],
+)
+def test_other_words_for_a_cut_are_cut_so_out_of_the_whole(steps, dish, food, made, rest):
+    label, _, asked = food.partition(":")
+    told = steps(dish, "", food, *rest)
+    states = states_of(told, label)
+    assert made in states
+    assert asked == made or asked not in states
+    cuts = {"chopped", "diced", "julienned", "ring shaped", "segmented", "sliced", "finely chopped"}
+    assert states & cuts == {made}
+
+
+def test_what_is_asked_whole_and_served_so_is_neither_cut_nor_stoned(steps):
+    told = steps("salad", "", "olive:whole", "tomato:sliced", "feta:crumbled", "olive oil:liquid")
+    assert not states_of(told, "olive") & {"cored", "pitted", "sliced", "chopped"}
+    told = steps("soup", "", "habanero:whole", "onion:chopped", "tomato:chopped", "chicken stock:liquid")
+    assert not states_of(told, "habanero") & {"cored", "sliced", "chopped"}
+    told = steps("sausage", "", "sausage:whole", "lentil:dried", "onion:chopped", "oil:liquid")
+    assert "chopped" not in states_of(told, "sausage")
+
+
+def test_a_whole_olive_is_stoned_for_a_dough(steps):
+    told = steps("bread", "", "olive:whole", "flour:powder", "yeast:powder", "water:liquid", "salt:granulated")
+    assert states_of(told, "olive") & {"cored", "pitted"}
+
+
+def test_zest_is_grated_off_a_fruit_that_nobody_peeled(steps):
+    told = steps("sauce", "", "bergamot:zest", "tomato:chopped", "onion:chopped", "oil:liquid")
+    assert "zest" in states_of(told, "bergamot")
+    assert not states_of(told, "bergamot") & {"peeled", "cored"}

@@ -38,6 +38,15 @@ def test_k2_a_leaf_is_in_one_piece_and_leaves_that_were_plucked_off_a_stem_are_n
     assert len(found("K2", heated("soup", "thyme", "water"))) == 1
 
 
+def test_k2_what_is_asked_whole_in_a_dish_that_has_it_so_is_whole():
+    olives = served("salad", "olive", "tomato")
+    assert "K2 (minor): olive is in the dish with its stone" in found("K2", olives)
+    kept = found("K2", recipe("salad", "olive (whole); tomato") + olives)
+    assert not [one for one in kept if "olive" in one]
+    other = found("K2", recipe("bread", "olive (whole); tomato") + olives.replace("salad", "bread"))
+    assert [one for one in other if "olive" in one]
+
+
 def test_k6_an_asked_food_is_in_the_dish():
     assert found("K6", recipe("salad", "tomato; salt") + served("salad", "tomato", "salt")) == []
     assert found("K6", recipe("salad", "tomato; leek") + served("salad", "tomato", "salt")) == [

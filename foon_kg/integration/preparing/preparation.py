@@ -65,7 +65,7 @@ class Want:
     out of an oven. ``part`` is for what of the dish the recipe says that it is, ``places`` are those at which it lists
     it. ``as_written`` is what the recipe says of its state, where that is several things
     (:func:`~foon_kg.food.told_states.in_turn`). ``of`` is the food that comes apart when it is opened, and of which
-    this is a part.
+    this is a part. ``left_whole``: it is asked in one piece, and stays so in such a dish.
     """
 
     number: int
@@ -86,6 +86,7 @@ class Want:
     part: str = ""
     as_written: str = ""
     of: Want | None = None
+    left_whole: bool = False
     places: tuple[int, ...] = field(default=(), compare=False)
 
     @property
@@ -184,7 +185,12 @@ def as_mixed(want: Want, known: Tables) -> Want:
 
 
 def is_left_whole(want: Want) -> bool:
-    """Return whether nobody cuts ``want`` unasked: it is small, as its name says (baby potatoes), or a bay leaf."""
+    """Return whether nobody cuts ``want`` unasked.
+
+    It is to stay whole in such a dish, is small, as its name says (baby potatoes), or is a bay leaf.
+    """
+    if want.left_whole:
+        return True
     small = says(words(want.label), "is left whole by its name")
     small = small and want.facts.is_any(word_list("may be left whole where it is small"))
     return small or want.facts.is_any(word_list("is a leaf by itself"))  # it is lifted out, or left on the plate

@@ -140,7 +140,7 @@ class Preparer(Treater):
 
     def _due(self, want: Want) -> set[str]:
         """Return what hands have to do to a food: what it owes, and what the asked state needs."""
-        if want.squeezed or want.at_hand or want.facts.is_any(word_list("is grated off the whole")):
+        if _is_taken_as_it_is(want):
             return set()
         # the table has "trimmed" take out a choke, which only artichokes have: anything else loses but its ends
         trimmed = want.make in word_list("is cut off at the ends")
@@ -204,6 +204,7 @@ class Preparer(Treater):
         attested = self.bench.require(ways, ready.want.names, act=True)
         kept = {s for s in ready.stuff.states if not self.known.state(s).undivided} - {"washed"}
         self.bench.act(ready.stuff, attested, tuple(sorted({*kept, self.gives(attested.way, ("peel",))})))
+        self.bring_about(ready, ready.want.make, done=True)
         cut = self._cut_state(ready.want, form, owed(ready.want, self.known), divided=True)
         if cut:
             self._cut(ready, cut)
@@ -288,6 +289,12 @@ class Preparer(Treater):
             carried = self.bench.require([(way, ()) for way in ways], want.names)
             self.bench.bring([ready.stuff], self.bench.vessel(board), carried)  # nothing is cut in a strainer
         self.bench.act(ready.stuff, attested, (state,), board)
+
+
+def _is_taken_as_it_is(want: Want) -> bool:
+    """Whether hands do nothing to a food but what is asked: it is pressed, stays whole, or gives its zest."""
+    off = want.make in word_list("is off the outside") or want.facts.is_any(word_list("is grated off the whole"))
+    return want.squeezed or want.at_hand or want.left_whole or off
 
 
 def _is_packed_dry(want: Want) -> bool:

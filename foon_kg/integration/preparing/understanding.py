@@ -101,17 +101,25 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     It is sold so, made so, or the state is a crude word for something. ``known`` are the tables, ``operators`` what the
     FOON shows.
     """
-    fine = one.state in word_list("is so when it is grated off")
-    fine = fine and _is_grated_off(one.object, known.foods.food(one.object, [one.state]), known)
-    if fine or one.state in word_list("asks for what is grated off"):
-        state = min(word_list("is grated off the whole"))
-    elif one.state in word_list("is flat when it is flesh") and known.foods.food(one.object).is_any(
-        word_list("is flesh")
-    ):
-        state = min(word_list("is beaten flat"))
-    else:
+    state = _meant(one, known, operators)
+    if state == one.state:
         return _as_asked(number, one, known, operators)
     return replace(_as_asked(number, replace(one, state=state), known, operators), asked=one.state)
+
+
+def _meant(one: RequiredIngredient, known: Tables, operators: Operators) -> str:
+    """Return the state that the asked one means for ``one`` food; see :func:`understood` for the other arguments."""
+    state = one.state if operators.giving.get(one.state) else known.state_called(one.state)
+    fine = state in word_list("is so when it is grated off")
+    fine = fine and _is_grated_off(one.object, known.foods.food(one.object, [state]), known)
+    if fine or state in word_list("asks for what is grated off"):
+        return min(word_list("is grated off the whole"))
+    facts = known.foods.food(one.object)
+    if state in word_list("is flat when it is flesh") and facts.is_any(word_list("is flesh")):
+        return min(word_list("is beaten flat"))
+    if state in word_list("is peeled where it is no flesh") and not facts.is_any(word_list("is flesh")):
+        return min(word_list("has no peel any more"))
+    return state
 
 
 def _in_a_package(want: Want) -> Want:
@@ -304,7 +312,13 @@ def _is_known_to_be_made(want: Want, form: str, row: State) -> bool | None:
         return False
     if row.earns == RINSED:
         return form in {"whole", "pieces"} or CANNED in want.leaf or row.earns <= want.facts.owes.keys()
-    return True if _melts(want) or _is_mashed_as_sold(want) else None
+    return True if _is_peeled_here(want, form) or _melts(want) or _is_mashed_as_sold(want) else None
+
+
+def _is_peeled_here(want: Want, form: str) -> bool:
+    """Whether a food is asked peeled that has a peel, though not all who eat it mind that."""
+    peeled = form == "whole" and want.asked in word_list("has no peel any more")
+    return peeled and want.facts.is_any(word_list("is peeled where it is asked"))
 
 
 def _is_too_small_to_be_cut(want: Want, row: State) -> bool:
@@ -325,7 +339,7 @@ def _is_mashed_as_sold(want: Want) -> bool:
 def _is_made_here(want: Want, form: str, row: State, operators: Operators) -> bool:
     """Whether the FOON shows how a state, that of ``row``, is given to such a food."""
     facts, powder = want.facts, row.fineness >= POWDER
-    if form in {"liquid", "powder", "soft"} and not _is_worked_so(want, operators):
+    if _keeps_its_form(want, form, row) and not _is_worked_so(want, operators):
         return False
     if powder and facts.is_a("fat", "creamy"):
         return False
@@ -334,6 +348,13 @@ def _is_made_here(want: Want, form: str, row: State, operators: Operators) -> bo
     if facts.is_a("stock", "ready") and (powder or not row.fine):
         return False
     return bool(row.fine) or bool(row.earns & facts.owes.keys())
+
+
+def _keeps_its_form(want: Want, form: str, row: State) -> bool:
+    """Whether a food runs, is a powder or is soft in its ``form``, so that no knife makes it smaller."""
+    bits = row.earns == {"cut"} and row.fineness < POWDER
+    cut = bits and want.facts.is_any(word_list("is cut smaller where it is asked"))
+    return form in {"liquid", "powder", "soft"} and not cut
 
 
 def _is_worked_so(want: Want, operators: Operators) -> bool:
