@@ -1,12 +1,14 @@
 """Recipes from tables and small JSON files: our own query JSON, JSON Lines, CSV and Parquet.
 
 A table has a column ``id``, ``title``, ``type`` (or ``dish_type``), ``ingredients``, ``instructions``, ``partition``,
-``url``; all but ``ingredients`` may be missing. A cell of ingredients is a JSON list (of texts, or of ``{object,
-state}``), or texts with line ends, ``|`` or ``;`` between them; one of instructions has a step a line, or is a list.
+``url``, or those that public collections have in their place (``OTHER_NAMES``); all but ``ingredients`` may be missing.
+A cell of ingredients is a list in JSON or as Python prints it (of texts, or of ``{object, state}``), or texts with line
+ends, ``|`` or ``;`` between them; one of instructions has a step a line, or is a list.
 """
 
 from __future__ import annotations
 
+import ast
 import csv
 import json
 import re
@@ -32,6 +34,12 @@ LONGEST_LINE = 16_000_000
 
 MOST_COLUMNS = 1_000
 """Of a table; pandas took 1 GB and nine seconds for a row of 200,000."""
+
+LONGEST_PRINTED_LIST = 100_000
+"""Characters of a list as Python prints it: its reader takes hundreds of bytes for each."""
+
+OTHER_NAMES = {"title": ("name",), "instructions": ("directions", "steps"), "url": ("link",), "type": ("dish_type",)}
+"""What RecipeNLG and the tables of food.com call their columns; capitals and spaces around are passed over."""
 
 _ROWS = 5_000
 _BETWEEN = re.compile(r"[\n|;]")
@@ -62,6 +70,7 @@ def read_rows(path: Path, tell: Tell) -> Iterator[CollectedRecipe]:
 def _recipe(path: Path, number: int, place: str, row: object, tell: Tell) -> CollectedRecipe | tuple[NoticeKind, str]:
     if not isinstance(row, Mapping):
         return NoticeKind.BAD_FIELD, "no object with fields"
+    row = _as_ours(row)
     if "ingredients" not in row:
         return NoticeKind.BAD_FIELD, "it has no “ingredients”"
     lines = _lines(row["ingredients"], place, tell)
@@ -75,11 +84,27 @@ def _recipe(path: Path, number: int, place: str, row: object, tell: Tell) -> Col
         _text(row, "title") or "",
         lines,
         place,
-        dish_type=_text(row, "type") or _text(row, "dish_type"),
+        dish_type=_text(row, "type"),
         partition=_text(row, "partition"),
         url=_text(row, "url"),
-        instructions=instructions_of(row.get("instructions")),
+        instructions=instructions_of(_steps(row.get("instructions"))),
     )
+
+
+def _as_ours(row: Mapping[str, object]) -> dict[str, object]:
+    """Return ``row`` with the names that we use; a column of ours that says something goes before another's."""
+    named = {str(name).strip().casefold(): value for name, value in row.items()}
+    for ours, others in OTHER_NAMES.items():
+        told = next((named[name] for name in others if named.get(name)), None)
+        if told and not named.get(ours):
+            named[ours] = told
+    return named
+
+
+def _steps(cell: object) -> object:
+    """Return the list that a cell of instructions writes, or the cell where it is none."""
+    listed = _entries(cell) if isinstance(cell, str) and cell.lstrip().startswith("[") else None
+    return cell if listed is None else listed
 
 
 def _lines(cell: object, place: str, tell: Tell) -> tuple[CollectedLine, ...] | None:
@@ -101,15 +126,26 @@ def _lines(cell: object, place: str, tell: Tell) -> tuple[CollectedLine, ...] | 
 
 
 def _entries(cell: object) -> list[str | Mapping[str, object]] | None:
-    """Return the entries of a list, which may be written in JSON; ``None`` where it is no list of ingredients."""
+    """Return the entries of a list, which a ``cell`` may write; ``None`` where it is no list of ingredients."""
     if isinstance(cell, str):
-        try:
-            cell = json.loads(cell)
-        except (ValueError, RecursionError):
-            return None
+        cell = _written_list(cell)
     if not isinstance(cell, list) or not all(isinstance(entry, str | Mapping) for entry in cell):
         return None
     return cell
+
+
+def _written_list(text: str) -> object:
+    """Return what ``text`` writes in JSON, else as Python prints it; ``None`` where it is neither."""
+    try:
+        return json.loads(text)
+    except (ValueError, RecursionError):
+        pass
+    if len(text) > LONGEST_PRINTED_LIST:
+        return None
+    try:
+        return ast.literal_eval(text.strip())
+    except (ValueError, SyntaxError, MemoryError, RecursionError):  # as its documentation lists them
+        return None
 
 
 def _line(entry: str | Mapping[str, object]) -> CollectedLine | None:

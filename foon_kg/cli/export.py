@@ -27,7 +27,7 @@ EXAMPLES = examples(
     "foon export plans.jsonl --format pddl --output problems/",
     "foon export plan.json --after-step 7 --output rest.xml",
     "foon export --format csv --output import/",
-    'foon export --files DIR --format pddl --goal "greek salad" -o pddl/',
+    'foon export --files subgraphs/ --format pddl --goal "greek salad" -o pddl/',
     "foon export --format weights --output motion_cost.json",
 )
 _FORMATS = ("foon", "json", "dot", "mermaid", "graphml", "markdown", "behaviour-tree", "pddl", "csv", "weights")

@@ -28,7 +28,7 @@ EXAMPLES = examples(
     "foon plan recipes/ --files subgraphs/ --output plans.jsonl",
     "foon plan --recipes all --output plans.jsonl.zst",
     "foon plan --recipes all --output plans.jsonl.zst --dask tcp://127.0.0.1:8786",
-    "foon plan recipe.json --substitute capers=olives --avoid nuts --explain",
+    "foon plan recipe.json --substitute leek=onion --avoid nuts --explain",
     "foon plan recipe.json --enumerate --limit 5000",
     "foon plan recipe.json --method paper",
 )

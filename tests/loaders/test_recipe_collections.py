@@ -209,6 +209,34 @@ def test_a_cell_of_a_table_lists_ingredients_in_several_ways(tmp_path, cell):
     assert read_recipe.id == "t-1"
 
 
+@pytest.mark.parametrize(
+    ("columns", "steps"),
+    [
+        (("title", "ingredients", "directions", "link"), '["Chop the onions.", "Boil them."]'),  # RecipeNLG
+        (("name", "ingredients", "steps", "link"), "['Chop the onions.', 'Boil them.']"),  # food.com
+        (("Title", " Ingredients", "Instructions", "URL"), "Chop the onions.\nBoil them."),
+    ],
+)
+def test_columns_of_public_collections_are_known_by_their_own_names(tmp_path, columns, steps):
+    values = ("Onion Soup", "['2 onions', \"baker's salt\"]", steps, "https://example.org/soup")
+    pd.DataFrame([dict(zip(columns, values, strict=True))]).to_csv(tmp_path / "t.csv", index=False)
+    ([recipe], notices) = read(tmp_path / "t.csv")
+    assert notices == []
+    assert (recipe.title, recipe.url) == ("Onion Soup", "https://example.org/soup")
+    assert [line.text for line in recipe.lines] == ["2 onions", "baker's salt"]
+    assert recipe.instructions == ("Chop the onions.", "Boil them.")
+
+
+@pytest.mark.parametrize(
+    "cell", ["['2 onions'", "[" * 5_000, "[__import__('os').getcwd()]", "['a', 1]", "['" + "a" * 200_000]
+)
+def test_a_cell_that_writes_no_list_is_told(tmp_path, cell):
+    pd.DataFrame([{"title": "Onion Soup", "ingredients": cell}]).to_csv(tmp_path / "t.csv", index=False)
+    (recipes, [notice]) = read(tmp_path / "t.csv")
+    assert recipes == []
+    assert "“ingredients” is no list" in notice.message
+
+
 def test_an_ingredient_without_a_name_is_left_out_and_told(tmp_path):
     wanted = [{"object": "", "state": "whole"}, {"object": "salt"}]
     (tmp_path / "r.json").write_text(json.dumps({"type": "soup", "ingredients": wanted}), encoding="utf-8")
