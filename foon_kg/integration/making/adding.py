@@ -94,7 +94,7 @@ class Adding:
         if smooth is not None:
             self.carry.transfer(smooth, vessel, stage)
             return
-        self.carry.bring(self.ready[one.want.number], vessel, one.slot)
+        self.carry.bring_joining(one, self.ready[one.want.number], vessel)
 
     def _is_tossed(self, turn: Turn, vessel: Vessel, one: Join | Vessel, came: Sequence[Stuff]) -> bool:
         """Whether what came to a dish that is done is stirred into it."""

@@ -9,6 +9,7 @@ from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_baked, is_flat, is_heated
 from foon_kg.integration.joining.batters import binds
 from foon_kg.integration.joining.course import Plan
+from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.making.bringing import Bringing, Transport, only_brings, pours
 from foon_kg.integration.making.consistency import SOLID, form_together, is_shaped, is_uncut
 from foon_kg.integration.making.water import JUG, TAP, Water
@@ -101,14 +102,24 @@ class Carrier:
 
     def grease(self, fat: Want, tin: Vessel) -> None:
         """Spread some of a fat in a tin, or pour it where it runs."""
-        stuff = self.bench.fetch(fat.label, fat.leaf, [fat.number], fat.storage, stands=fat.stands)
-        runs = form_of(self.known, fat.label, fat.leaf) == "liquid"
-        attested = None if runs else self.bench.attest(self.bench.ways_by(word_list("greases")), fat.names)
-        if attested is None:
-            self.bring(Ready(fat, stuff), tin, None)
+        self.smear(Ready(fat, self.bench.fetch(fat.label, fat.leaf, [fat.number], fat.storage, stands=fat.stands)), tin)
+
+    def bring_joining(self, join: Join, ready: Ready, vessel: Vessel) -> None:
+        """Bring what is ``ready`` of a food into a vessel as it joins there; fat under all else greases it."""
+        if join.layer < 0 and join.want.facts.is_a("fat"):
+            self.smear(ready, vessel)
         else:
-            self._soften(stuff)
-            self.bench.bring([stuff], tin, attested)
+            self.bring(ready, vessel, join.slot)
+
+    def smear(self, fat: Ready, tin: Vessel) -> None:
+        """Spread fat that is ready in a tin, or pour it where it runs."""
+        runs = form_of(self.known, fat.want.label, fat.stuff.states) == "liquid"
+        attested = None if runs else self.bench.attest(self.bench.ways_by(word_list("greases")), fat.want.names)
+        if attested is None:
+            self.bring(fat, tin, None)
+        else:
+            self._soften(fat.stuff)
+            self.bench.bring([fat.stuff], tin, attested)
 
     @staticmethod
     def _soften(stuff: Stuff) -> None:

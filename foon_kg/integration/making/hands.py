@@ -26,4 +26,4 @@ class Hands:
 
     def bring(self, join: Join, vessel: Vessel) -> None:
         """Bring the food of ``join`` into a vessel as its slot has it, where that suits it."""
-        self.carry.bring(self.ready[join.want.number], vessel, join.slot)
+        self.carry.bring_joining(join, self.ready[join.want.number], vessel)
