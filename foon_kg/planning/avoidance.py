@@ -17,11 +17,13 @@ from itertools import chain
 from foon_kg.food import tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.shipped import shipped
-from foon_kg.integration.preparing.preparation import Want
-from foon_kg.model import ObjectNode, Recipe
+from foon_kg.integration.preparing.preparation import Want, as_there
+from foon_kg.integration.preparing.understanding import understood
+from foon_kg.integration.teaching.operators import Operators
+from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
-from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.kitchen import Kitchen, household_fats
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.taxonomy import food_taxonomy
 
@@ -92,20 +94,36 @@ def kitchen_without(kitchen: Kitchen, avoided: Sequence[str]) -> Kitchen:
     return kitchen if free == kitchen.free_foods else replace(kitchen, free_foods=free)
 
 
-def household_fat(wants: Sequence[Want], title: str, kitchen: Kitchen, avoided: Collection[str]) -> str:
+def household_fat(
+    wants: Sequence[Want], title: str, kitchen: Kitchen, avoided: Collection[str], operators: Operators
+) -> Want | None:
     """Return the fat in which a dish of ``wants``, called ``title``, may be fried though nobody asked for any.
 
-    There is none (``""``) where fat, or what gives its own, is asked, where the title says that it is without, where it
-    is ``avoided``, and where a person named a ``kitchen`` that has none.
+    There is none where fat, or what gives its own, is asked, where the title says that it is without, and where all
+    that the ``kitchen`` has is ``avoided``. ``operators`` are what the FOON shows.
     """
-    fat = min(word_list("fat of a household"))
-    if any(want.facts.is_any(word_list("brings fat to the pan")) for want in wants):
-        return ""
+    if _is_without_fat(wants, title):
+        return None
+    allowed = (name for name in household_fats(kitchen) if why_avoided(name, tuple(avoided)) is None)
+    fats = (_as_there(name, kitchen, operators) for name in allowed)
+    return next((fat for fat in fats if not kitchen.lacks(_as_sold(fat))), None)
+
+
+def _is_without_fat(wants: Sequence[Want], title: str) -> bool:
+    """Whether no more fat is due: some of ``wants`` brings its own, or ``title`` says that it is without."""
     told = words(title)
     said = any(_has_in_turn(told, words(phrase)) for phrase in word_list("says that it is without fat"))
-    if said or why_avoided(fat, tuple(avoided)) is not None:
-        return ""
-    return "" if kitchen.lacks(ObjectNode(fat, ("liquid",), (), "in", "bottle")) else fat
+    return said or any(want.facts.is_any(word_list("brings fat to the pan")) for want in wants)
+
+
+def _as_there(name: str, kitchen: Kitchen, operators: Operators) -> Want:
+    """Return the fat called ``name`` as ``kitchen`` has it; it was not asked, and has no number of a required food."""
+    return as_there(understood(0, RequiredIngredient(name, ""), operators.known, operators), kitchen)
+
+
+def _as_sold(fat: Want) -> ObjectNode:
+    """Return the node of ``fat`` before it is taken."""
+    return ObjectNode(fat.label, fat.leaf, (), "in" if fat.storage else None, fat.storage or None)
 
 
 def names_avoided(node: ObjectNode, avoided: Sequence[str]) -> bool:

@@ -47,7 +47,7 @@ from foon_kg.planning.explanation import Explanation, explanations
 from foon_kg.planning.likes import FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
 from foon_kg.planning.settings import PlanSettings
-from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.kitchen import Kitchen, household_fats
 from foon_kg.plans.measures import amounts_asked, with_asked, with_measures
 from foon_kg.plans.progress import lines_of_things
 from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
@@ -107,7 +107,7 @@ class Planner:
         """Return what the FOON teaches of making a dish of ``foods``."""
         if self.in_parts:
             chosen = [substitute.like for substitute in self.settings.substitutes]
-            free = sorted({*self.settings.kitchen.free_foods, *word_list("fat of a household")})
+            free = sorted({*self.settings.kitchen.free_foods, *household_fats(self.settings.kitchen)})
             methods = self.view.methods_for([*foods, *chosen, *free], dish_type)
         else:
             methods = self.view.methods() if self._latest is None else self._latest.methods
@@ -291,7 +291,7 @@ class PlannedRecipe:
         label = frame.goal.label if has_its_name(fit, asked, dish_type, tin, self.technique) else dish_type
         plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased(asked), one_pot=one_pot)
         drunk, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
-        fat = household_fat(self.wants, asked.title, self.kitchen, self.settings.avoided)
+        fat = household_fat(self.wants, asked.title, self.kitchen, self.settings.avoided, bench.operators)
         plan = replace(plan, drunk=drunk, cold=cold, cooled=asked.is_eaten_cold, by_bites=asked.by_bites, fat=fat)
         plan = as_told(plan, asked, tin) if self.technique is None else replace(plan, by_table=True)
         cooking = Cooking(bench, line, plan)

@@ -267,6 +267,23 @@ class Kitchen:
         return state in self.running_states and singular(label) in self.always_on
 
 
+def household_fats(kitchen: Kitchen) -> tuple[str, ...]:
+    """Return the fats that are at hand unasked in ``kitchen``, the best to fry in first.
+
+    Where a person named foods these are the fats among them: the usual one first, then what runs as it is sold.
+
+    >>> household_fats(Kitchen.default())
+    ('oil',)
+    """
+    usual = word_list("fat of a kitchen")
+    if not kitchen.food_names:
+        return tuple(sorted(usual))
+    named = map(tables().foods.food, kitchen.food_names)
+    fats = [fat for fat in named if fat.kind in word_list("is fried in unasked")]
+    fats.sort(key=lambda fat: (fat.name not in usual, not fat.is_a("liquid"), fat.name))
+    return tuple(fat.name for fat in fats)
+
+
 def is_place(state: str) -> bool:
     """Whether a state is really a place: the loader keeps all but the last ``[]`` of an object as ``with [rind]``."""
     return _PLACE_KEPT_AS_STATE.search(state) is not None

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
 from foon_kg.food import Food, singular, words
@@ -200,24 +201,43 @@ def _shown_of_parts(case: Case, food: str, state: str, shown: Mapping[str, set[s
 def nothing_else(case: Case) -> Iterator[Finding]:
     """Yield the findings of C5 in ``case``: every food that is taken from the kitchen was asked for, or is free."""
     told: set[str] = set()
+    frying = _for_frying(case)
     for part in case.world.supply.parts:
         if part.name in told or part.food.is_a("made") or case.is_wanted(part.name) or case.is_free(part.name):
             continue
-        if _is_for_frying(case, part):
+        if part.origin in frying:
             continue
         told.add(part.name)
         yield Finding("C5", f"{part.name} comes from the kitchen and nobody asked for it", part.taken)
 
 
-def _is_for_frying(case: Case, part: Part) -> bool:
-    """Whether a food is the household's fat, told among the assumptions, that something was fried in."""
-    told = any(singular(entry.node.label) == part.name for entry in case.tree.assumptions or ())
-    heated = (lump for played in case.played_steps if played.heated for lump in played.inputs)
-    return (
-        told
-        and part.name in word_list("fat of a household")
-        and part.name in {one.name for lump in heated for one in lump.parts}
-    )
+def _for_frying(case: Case) -> set[int]:
+    """Return the origins of fat of the household that something was fried in, as often as it is told to be assumed.
+
+    What is left of it in its bottle was not taken.
+    """
+    told = Counter(singular(entry.node.label) for entry in case.tree.assumptions or ())
+    fats = [p for p in case.world.supply.parts if p.name in told and p.food.kind in word_list("is fried in unasked")]
+    if not fats:
+        return set()
+    heated, taken = _heated_and_taken(case)
+    return {part.origin for part in fats if part.origin not in taken}.union(_as_told(fats, heated, told))
+
+
+def _as_told(fats: Iterable[Part], heated: Collection[int], told: Counter[str]) -> Iterator[int]:
+    """Yield the origins of ``fats`` that were ``heated``, the first ones, as often as each is ``told``."""
+    for part in fats:
+        if part.origin in heated and told[part.name] > 0:
+            told[part.name] -= 1
+            yield part.origin
+
+
+def _heated_and_taken(case: Case) -> tuple[set[int], set[int]]:
+    """Return the origins of the parts that were heated, in whatever they went up, and of those not left in storage."""
+    lumps = set(chain.from_iterable(case.world.supply.lumps.values()))
+    heated = {part.origin for lump in lumps for part in lump.parts if part.heated is not None}
+    out = (lump for lump in lumps if lump.where is None or not lump.where.row.keeps_food)
+    return heated, {part.origin for lump in out for part in lump.parts}
 
 
 def free_foods(case: Case) -> tuple[str, ...]:

@@ -77,9 +77,40 @@ def test_who_avoids_it_gets_none(avoided):
     assert fats(omelette(PlanSettings(time_limit=None, avoided=(avoided,)))) == []
 
 
-def test_a_named_kitchen_without_oil_has_none_and_one_with_oil_has_some():
+def in_a_kitchen_with(*named, **wishes):
+    """Return the omelette as a kitchen with its foods and those ``named`` makes it."""
     foods = [ObjectNode(food.partition(":")[0]) for food in OMELETTE]
-    for named, there in (([], False), ([ObjectNode("oil")], True)):
-        kitchen = StockedKitchen.of(Kitchen.default(), [*foods, *named])
-        assert bool(fats(omelette(PlanSettings(kitchen=kitchen, time_limit=None)))) is there
-        assert bool(household_fat((), "", kitchen, ())) is there
+    kitchen = StockedKitchen.of(Kitchen.default(), [*foods, *map(ObjectNode, named)])
+    return omelette(PlanSettings(kitchen=kitchen, time_limit=None, **wishes))
+
+
+def told_fats(result):
+    return [one.node.label for one in result.assumptions if "nobody asked for fat" in one.why]
+
+
+@pytest.mark.parametrize(
+    ("named", "avoided", "fat"),
+    [
+        ((), (), []),
+        (("oil",), (), ["oil"]),
+        (("olive oil",), (), ["olive oil"]),
+        (("olive oil", "oil"), (), ["oil"]),
+        (("butter", "sunflower oil"), (), ["sunflower oil"]),
+        (("butter",), (), ["butter"]),
+        (("lard",), (), ["lard"]),
+        (("butter",), ("dairy",), []),
+        (("butter", "lard"), ("dairy",), ["lard"]),
+        (("mayonnaise",), (), []),
+    ],
+)
+def test_a_named_kitchen_fries_in_whatever_fat_it_has_and_the_wishes_allow(named, avoided, fat):
+    result = in_a_kitchen_with(*named, avoided=avoided)
+    assert told_fats(result) == fat
+    assert set(fat) <= set(result.goal.ingredients)
+
+
+def test_the_fat_of_a_kitchen_is_taken_as_it_is_there():
+    kitchen = StockedKitchen.of(Kitchen.default(), [ObjectNode("butter", ("stick",), (), "in", "bowl")])
+    fat = household_fat((), "", kitchen, (), public_snapshot().methods().operators)
+    assert fat is not None
+    assert (fat.leaf, fat.storage, fat.stands) == (("stick",), "bowl", True)

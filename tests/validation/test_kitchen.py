@@ -133,6 +133,48 @@ def test_c5_what_only_a_vessel_tells_of_is_told_at_the_step_that_takes_it():
     ]
 
 
+FRIED = """
+frying pan (empty) + stove (off) → PLACE → frying pan (empty; on stove)
+stove (off; under frying pan) → TURN-ON → stove (on; under frying pan)
+{fat} (liquid; in bottle) + frying pan (empty; on stove) → POUR
+  → {fat} (liquid; in frying pan) + frying pan ({{{fat}}}; on stove)
+tomato (sliced; on plate) + frying pan ({{{fat}}}; on stove) + {fat} (liquid; in frying pan) → PLACE
+  → tomato (sliced; in frying pan) + frying pan ({{{fat}, tomato}}; on stove)
+frying pan ({{{fat}, tomato}}; on stove) + tomato (sliced; in frying pan) + {fat} (liquid; in frying pan)
+  + stove (on; under frying pan) → FRY
+  → tomato (fried, sliced; in frying pan) + frying pan ({{{fat}, tomato}}; on stove)
+"""
+DRESSED = "{fat} (liquid; in bottle) + plate (empty) → POUR → {fat} (liquid; on plate)\n"
+TOLD = "assumed: {fat} (liquid; in bottle): nobody asked for fat\n"
+
+
+@pytest.mark.parametrize("fat", ["oil", "olive oil", "lard"])
+def test_c5_fat_of_the_household_that_is_told_and_fried_in_is_let_in(fat):
+    fried = ONE_TOMATO + FRIED.format(fat=fat)
+    told = TOLD.format(fat=fat)
+    nobody = f"{fat} comes from the kitchen and nobody asked for it"
+    assert found("C5", told + asked("tomato (sliced)", fried)) == []
+    assert found("C5", asked("tomato (sliced)", fried)) == [f"C5 step 4: {nobody}"]
+    assert found("C5", told + asked("tomato (sliced)", f"{ONE_TOMATO}\n{DRESSED.format(fat=fat)}")) == [
+        f"C5 step 2: {nobody}"
+    ]
+
+
+def test_c5_fat_is_let_in_no_more_often_than_it_is_told():
+    numbered = DRESSED.format(fat="oil").replace("oil (liquid", "oil#9 (liquid")  # or it may be that of the pan
+    twice = asked("tomato (sliced)", ONE_TOMATO + FRIED.format(fat="oil") + numbered)
+    told = TOLD.format(fat="oil")
+    for times in (1, 2):  # what is poured over at last was never heated, however often it is told
+        assert found("C5", told * times + twice) == ["C5 step 7: oil comes from the kitchen and nobody asked for it"]
+
+
+def test_c5_other_food_is_not_let_in_by_being_told_and_fried():
+    text = ONE_TOMATO + FRIED.format(fat="soy sauce")
+    assert found("C5", TOLD.format(fat="soy sauce") + asked("tomato (sliced)", text)) == [
+        "C5 step 4: soy sauce comes from the kitchen and nobody asked for it"
+    ]
+
+
 def test_c5_a_setting_lets_other_foods_in():
     text = asked("tomato (sliced)", ONE_TOMATO + SALTED)
     assert found("C5", text) == ["C5 step 2: salt comes from the kitchen and nobody asked for it"]

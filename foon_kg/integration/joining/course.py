@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import HEATS, Line, Phase, Stage, place_among
 
 MIXES = frozenset({"mix", "whip", "knead", "mash", "blend"})
@@ -52,7 +53,7 @@ class Plan:
     drunk: bool = False
     closed_by: str = ""
     by_table: bool = False
-    fat: str = ""
+    fat: Want | None = None
 
     @property
     def has_a_side(self) -> bool:

@@ -19,7 +19,6 @@ from foon_kg.integration.teaching.forms import form_of, is_liquid_fat
 from foon_kg.integration.teaching.frames import Slot, Stage
 from foon_kg.integration.teaching.operators import Attested, Way
 
-_BOTTLE = "bottle"
 _WHY = "nobody asked for fat, and a dry pan burns what is fried: some of the household's {fat}"
 
 
@@ -290,16 +289,18 @@ class Frying:
         self.plan = plan
 
     def add_fat(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
-        """Pour some fat of the household into a ``pan`` for what ``comes`` into it; return whether that was due."""
+        """Bring some fat of the household into a ``pan`` for what ``comes`` into it; return whether that was due."""
         fat = self.plan.fat
-        if not fat or self.plan.drunk or pan.contents or not self._is_dry(pan, comes):
+        if fat is None or self.plan.drunk or pan.contents or not self._is_dry(pan, comes):
             return False
-        attested = self.bench.near_or_far([("pour", ())], (fat,))
-        if attested is None:
+        runs = form_of(self.known, fat.label, fat.leaf) == "liquid"
+        poured = self.bench.near_or_far([("pour", ())], fat.names) if runs else None
+        if runs and poured is None:
             return False
-        taken = self.bench.fetch(fat, ("liquid",), (), _BOTTLE)
-        self.bench.assumed[taken.number] = _WHY.format(fat=fat)
-        self.bench.bring([taken], pan, attested)
+        taken = self.bench.fetch(fat.label, fat.leaf, (), fat.storage, stands=fat.stands)
+        self.bench.assumed[taken.number] = _WHY.format(fat=fat.label)
+        way = poured or Bringing(self.bench).way(Transport.of(Ready(fat, taken), pan))
+        self.bench.bring([taken], pan, way)
         return True
 
     def _is_dry(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
