@@ -196,7 +196,7 @@ def _phrases(own: Sequence[str]) -> Iterator[Sequence[str]]:
 
 def _no_more(kind: str, now: Kind) -> str:
     """Return the ``kind`` of a name that a food is no more, in a state in which it is of the kind ``now``."""
-    return "" if now.traits.isdisjoint(word_list("is what it was no more")) else kind
+    return "" if now.traits.isdisjoint(word_list("is no longer the food it was made of")) else kind
 
 
 def make_room(kept: dict[Any, Any]) -> None:

@@ -143,13 +143,24 @@ def _why(food: str, avoided: str) -> str | None:
     wanted = words(canonical(avoided))
     if not wanted:  # no words stand in everything
         return None
-    for part in _parts(canonical(food)):
+    rows = [row for called, row in shipped("allergens").items() if wanted in _names(called, row)]
+    made_with = [_is_made_with(food, row) for row in rows]
+    if False in made_with:  # its very name says that it is without
+        return None
+    return _why_named_so(canonical(food), avoided, wanted) or (f"“{avoided}” may be in it" if any(made_with) else None)
+
+
+def _why_named_so(name: str, avoided: str, wanted: tuple[str, ...]) -> str | None:
+    """Return why a food of this ``name`` is ``avoided`` by what it is called, ``wanted`` being the words of that."""
+    for part in _parts(name):
         if words(part) == wanted:
             return f"“{avoided}” is to be avoided"
+        if part != name and part in word_list("says nothing of what it is"):
+            continue
         kind = next((kind for kind in _kinds(part) if _has_in_turn(words(kind), wanted)), None)
         if kind is not None:
             return f"{part} belongs to “{kind}”"
-    return f"“{avoided}” may be in it" if _is_made_with(food, wanted) else None
+    return None
 
 
 def _names(called: str, row: Mapping[str, Sequence[str]]) -> set[tuple[str, ...]]:
@@ -157,12 +168,19 @@ def _names(called: str, row: Mapping[str, Sequence[str]]) -> set[tuple[str, ...]
     return {words(name) for name in (called, *row["called"])}
 
 
-def _is_made_with(food: str, wanted: tuple[str, ...]) -> bool:
-    """Return whether ``food`` is as a rule made with what ``wanted``, the words of a name, are an allergen's."""
-    meant = tables().foods.food(canonical(food))
-    names = {meant.name, meant.taken_for}
-    rows = (row for called, row in shipped("allergens").items() if wanted in _names(called, row))
-    return any(meant.is_of(*row["has"]) or not names.isdisjoint(row["has"]) for row in rows)
+def _is_made_with(food: str, row: Mapping[str, Sequence[str]]) -> bool | None:
+    """Return whether ``food`` is as a rule made with the allergen of a ``row``.
+
+    ``False`` where its very name is one of those without, ``None`` where nothing says that it is made with it.
+    """
+    foods, name = tables().foods, canonical(food)
+    own = foods.food(food) if foods.is_listed(food) else foods.food(name)
+    names = {own.name, own.taken_for, name}
+    if not names.isdisjoint(row["has"]) or not set(_parts(name)).isdisjoint(row["in_names"]):
+        return True
+    if not names.isdisjoint(row["lacks"]):
+        return False
+    return True if own.is_of(*row["has"]) and not own.is_of(*row["lacks"]) else None
 
 
 def _parts(name: str) -> Iterator[str]:

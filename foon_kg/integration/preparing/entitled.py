@@ -16,6 +16,9 @@ from foon_kg.food.rows import POWDER, State
 from foon_kg.integration.preparing.preparation import CANNED, JUICE, Want
 from foon_kg.integration.teaching.operators import Operators
 
+_BESIDE = "beside"
+"""With this word before a kind of food the table of homonyms says what a word means beside such a food."""
+
 
 def as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> Want:
     """Return ``want`` as the title has it, which says what the recipe left out: smoked salmon, mashed potato.
@@ -113,6 +116,9 @@ def as_in_a_dish(wants: Iterable[Want], operators: Operators, title: str, dish_t
     bites = is_eaten_by_bites((*words(dish_type), *title_words), known.dishes_named(dish_type, title))
 
     def meant(want: Want) -> Want:
+        other = _by_its_company(want, wants, known)
+        if other is not None:
+            return other
         if not _is_whole(want, known):
             return _by_its_dish(want, dish_type, known)
         if _stays_whole(want, dish_type):
@@ -141,6 +147,18 @@ def _by_its_dish(want: Want, dish_type: str, known: Tables) -> Want:
     place = f"in {dish_type}"
     other = any(state == place for state, _ in known.foods.homonyms.get(singular(want.label), ()))
     return replace(want, facts=known.foods.food(want.label, [place])) if other and not want.make else want
+
+
+def _by_its_company(want: Want, wants: Collection[Want], known: Tables) -> Want | None:
+    """Return a food without a state whose word means something else beside one of ``wants``: soda with flour."""
+    usual = want.asked in {"", want.facts.sold_as}  # nobody said more of it than its name
+    rows = known.foods.homonyms.get(singular(want.label), ()) if usual else ()
+    for state, _ in rows:
+        place, _, kind = state.partition(" ")
+        if place == _BESIDE and any(other.facts.is_a(kind) for other in wants if other is not want):
+            facts = known.foods.food(want.label, [state])
+            return replace(want, facts=facts, leaf=(facts.sold_as,), storage=facts.sold_in)
+    return None
 
 
 def _pressed(want: Want, operators: Operators) -> Want:
