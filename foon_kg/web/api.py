@@ -179,7 +179,7 @@ def similar(
     return [telling.SimilarTold.model_validate(told) for told in found]
 
 
-@router.get("/object")
+@router.get("/object", response_model_exclude_unset=True)
 def around(request: Request, response: Response, label: Annotated[str, _LABEL]) -> telling.ObjectTold:
     """Return an object's nodes, the units that make and take it, and the videos it is in."""
     return telling.ObjectTold.model_validate(_words(request, response).around(label))

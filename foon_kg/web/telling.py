@@ -2,10 +2,27 @@
 
 from __future__ import annotations
 
-from pydantic import BaseModel
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict
 
 
-class Node(BaseModel):
+def _left_out(schema: dict[str, Any]) -> None:
+    """Say in the ``schema`` of a model that what need not be there is left out, and never null."""
+    for name, member in schema.get("properties", {}).items():
+        if name not in schema.get("required", ()):
+            member.pop("default", None)
+            kinds = [kind for kind in member.pop("anyOf", ()) if kind != {"type": "null"}]
+            member.update(kinds[0] if len(kinds) == 1 else {"anyOf": kinds} if kinds else {})
+
+
+class Told(BaseModel):
+    """What is told as JSON. A member with a default is there only where it says something, as the commands print it."""
+
+    model_config = ConfigDict(json_schema_extra=_left_out)
+
+
+class Node(Told):
     """An object node."""
 
     label: str
@@ -15,14 +32,14 @@ class Node(BaseModel):
     container: str | None
 
 
-class AmountTold(BaseModel):
+class AmountTold(Told):
     """How much of a food was asked, in the words of who asked ("1 1/2 cups", "flour")."""
 
     amount: str
     food: str
 
 
-class MeasuresTold(BaseModel):
+class MeasuresTold(Told):
     """How much, as it was recorded ("200 g flour") and as it was asked, how long and how hot.
 
     What nobody says is left out.
@@ -34,7 +51,7 @@ class MeasuresTold(BaseModel):
     asked: list[AmountTold] | None = None
 
 
-class SeenIn(BaseModel):
+class SeenIn(Told):
     """Where a unit was seen: the place in the video, from 0, and seconds from its start."""
 
     video: str
@@ -45,7 +62,7 @@ class SeenIn(BaseModel):
     measures: MeasuresTold | None = None
 
 
-class Unit(BaseModel):
+class Unit(Told):
     """A functional unit."""
 
     input_nodes: list[Node]
@@ -54,15 +71,16 @@ class Unit(BaseModel):
     seen_in: list[SeenIn]
 
 
-class Wanted(BaseModel):
-    """A food in a state, and how much of it, where that was asked."""
+class Wanted(Told):
+    """A food in a state, and how much of it and for what of the dish, where that was asked."""
 
     object: str
     state: str
     amount: str | None = None
+    part: str | None = None
 
 
-class RecipeTold(BaseModel):
+class RecipeTold(Told):
     """The recipe as it was understood."""
 
     id: str | None
@@ -71,7 +89,7 @@ class RecipeTold(BaseModel):
     ingredients: list[Wanted]
 
 
-class NearAndWhy(BaseModel):
+class NearAndWhy(Told):
     """A known name, how sure it is (0 to 1) that a cook would accept it, and what speaks for it."""
 
     name: str
@@ -79,7 +97,7 @@ class NearAndWhy(BaseModel):
     why: list[str]
 
 
-class TakenTold(BaseModel):
+class TakenTold(Told):
     """A food that a dish takes, and the food of one's own that stands for it."""
 
     food: str
@@ -87,7 +105,7 @@ class TakenTold(BaseModel):
     confidence: float
 
 
-class SuggestionTold(BaseModel):
+class SuggestionTold(Told):
     """A dish, and what of it is there."""
 
     goal: Node
@@ -102,7 +120,7 @@ class SuggestionTold(BaseModel):
     exact: bool
 
 
-class SuggestionsTold(BaseModel):
+class SuggestionsTold(Told):
     """The best dishes, best first."""
 
     suggestions: list[SuggestionTold]
@@ -111,14 +129,14 @@ class SuggestionsTold(BaseModel):
     notes: list[str]
 
 
-class SimilarTold(BaseModel):
+class SimilarTold(Told):
     """A name, and the known foods that can best stand for it."""
 
     name: str
     nearest: list[NearAndWhy]
 
 
-class Summary(BaseModel):
+class Summary(Told):
     """How large the FOON is; ``drafted_types`` are dish types that only ``drafts`` of recipes have."""
 
     dish_types: list[str]
@@ -129,7 +147,7 @@ class Summary(BaseModel):
     drafted_types: list[str]
 
 
-class Example(BaseModel):
+class Example(Told):
     """A dish that a ``video`` of the FOON makes, its ``ingredients`` as a cook asks for them, and its plan's steps."""
 
     name: str
@@ -140,13 +158,13 @@ class Example(BaseModel):
     units: int
 
 
-class Examples(BaseModel):
+class Examples(Told):
     """Dishes to begin with."""
 
     examples: list[Example]
 
 
-class UnitsTold(BaseModel):
+class UnitsTold(Told):
     """Some units with the web addresses (or null) of where they are seen, and how many there are."""
 
     count: int
@@ -154,7 +172,7 @@ class UnitsTold(BaseModel):
     videos: list[str | None]
 
 
-class ObjectTold(BaseModel):
+class ObjectTold(Told):
     """What the FOON has around an object."""
 
     label: str
@@ -165,14 +183,14 @@ class ObjectTold(BaseModel):
     videos: list[str]
 
 
-class MissingTold(BaseModel):
+class MissingTold(Told):
     """Something that is not at hand, and what to do about it."""
 
     node: Node
     remedy: str
 
 
-class ErrorTold(BaseModel):
+class ErrorTold(Told):
     """What is wrong, as a word for programs and a sentence for people, and what to do about it."""
 
     code: str
@@ -181,7 +199,7 @@ class ErrorTold(BaseModel):
     missing: list[MissingTold] | None = None
 
 
-class Refusal(BaseModel):
+class Refusal(Told):
     """The body of every answer that is an error."""
 
     error: ErrorTold

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import BaseModel
-
 from foon_kg.foon import Joining, PassedOver
 from foon_kg.formats.exports.files import ExportFile
 from foon_kg.model.knowledge import Neighbour
 from foon_kg.plans.durations import Duration
-from foon_kg.web.telling import MeasuresTold, Node, RecipeTold, SeenIn, Wanted
+from foon_kg.web.telling import MeasuresTold, Node, RecipeTold, SeenIn, Told, Wanted
 
 
 class Thing(Node):
@@ -29,7 +27,7 @@ class Found(Node):
     things: list[int] | None = None
 
 
-class Step(BaseModel):
+class Step(Told):
     """A unit of a plan: as the FOON has it or adapted, when it is done, and how near its evidence is.
 
     ``grounding``: the same food, a like one, one of its kind, or the motion alone.
@@ -45,7 +43,7 @@ class Step(BaseModel):
     measures: MeasuresTold | None = None
 
 
-class Reference(BaseModel):
+class Reference(Told):
     """The reference tree in figures.
 
     ``videos`` are those after which the plan is made, ``core`` the foods of theirs that the recipe has too. Where the
@@ -59,10 +57,10 @@ class Reference(BaseModel):
     videos: list[str]
     core: list[str]
     draft_confidence: float | None = None
-    technique: str = ""
+    technique: str | None = None
 
 
-class GoalPassedOver(BaseModel):
+class GoalPassedOver(Told):
     """A dish that is nearer by its ingredients, how near that is (0..1), and why it was not taken."""
 
     goal: Node
@@ -70,7 +68,7 @@ class GoalPassedOver(BaseModel):
     why: str
 
 
-class StandsTold(BaseModel):
+class StandsTold(Told):
     """A food of a step, the one that a video shows in its place, and how sure it is (0..1) that a cook accepts it."""
 
     object: str
@@ -78,7 +76,7 @@ class StandsTold(BaseModel):
     confidence: float
 
 
-class ConsideredTold(BaseModel):
+class ConsideredTold(Told):
     """Another dish that was considered: how near its foods are (0..1; ``nearer`` than the taken one's), why not it."""
 
     goal: Node
@@ -89,7 +87,7 @@ class ConsideredTold(BaseModel):
     why: str
 
 
-class SubstitutionTold(BaseModel):
+class SubstitutionTold(Told):
     """What stood in the FOON (``equivalent``) where the recipe wants ``required``."""
 
     kind: Literal["object", "state", "motion", "tool", "vessel"]
@@ -100,14 +98,14 @@ class SubstitutionTold(BaseModel):
     alternatives: list[Neighbour]
 
 
-class AssumptionTold(BaseModel):
+class AssumptionTold(Told):
     """A leaf that is taken to be there, and why."""
 
     node: Node
     why: str
 
 
-class Stage(BaseModel):
+class Stage(Told):
     """One stage in the life of an ingredient, and the motion that ends it."""
 
     states: list[str]
@@ -116,7 +114,7 @@ class Stage(BaseModel):
     motion: str
 
 
-class Line(BaseModel):
+class Line(Told):
     """The life of one ingredient."""
 
     ingredient: str
@@ -124,14 +122,14 @@ class Line(BaseModel):
     end_product: str | None
 
 
-class Renamed(BaseModel):
+class Renamed(Told):
     """An asked state, and what it was read as."""
 
     asked: str
     read_as: str
 
 
-class ExplanationTold(BaseModel):
+class ExplanationTold(Told):
     """Why one ingredient is made as it is."""
 
     want: Wanted
@@ -145,7 +143,7 @@ class ExplanationTold(BaseModel):
     passed_over: list[PassedOver]
 
 
-class ScheduledTold(BaseModel):
+class ScheduledTold(Told):
     """When a unit (its place in the plan, from 0) is done, in seconds from the beginning.
 
     ``hands`` is which pair of hands does it (from 0), or null where it goes on by itself; ``duration`` is what videos
@@ -159,7 +157,7 @@ class ScheduledTold(BaseModel):
     duration: Duration | None
 
 
-class ScheduleTold(BaseModel):
+class ScheduleTold(Told):
     """Who does what when, for so many pairs of hands. ``alone`` is how long the steps take one after the other.
 
     ``shortest`` says that no schedule with these durations can be shorter. With ``untimed`` steps nobody knows how long
@@ -174,7 +172,7 @@ class ScheduleTold(BaseModel):
     steps: list[ScheduledTold]
 
 
-class Pictures(BaseModel):
+class Pictures(Told):
     """SVG texts; a schedule for each that was asked."""
 
     tree: str
@@ -182,7 +180,7 @@ class Pictures(BaseModel):
     schedules: list[str]
 
 
-class FindingTold(BaseModel):
+class FindingTold(Told):
     """What the judge objects to: a ``rule`` of docs/contract.md, and the ``unit`` (from 0; null: the whole)."""
 
     rule: str
@@ -192,14 +190,14 @@ class FindingTold(BaseModel):
     reason: str
 
 
-class NotAsked(BaseModel):
+class NotAsked(Told):
     """A rule that could not be asked in full."""
 
     rule: str
     why: str
 
 
-class JudgedTold(BaseModel):
+class JudgedTold(Told):
     """Whether a ``robot`` could carry the plan out and a ``cook`` would serve it, and what the judge found."""
 
     name: str
@@ -212,7 +210,7 @@ class JudgedTold(BaseModel):
     notes: list[str]
 
 
-class PlanTold(BaseModel):
+class PlanTold(Told):
     """A plan: what ``foon plan --json`` prints, and more.
 
     ``shopping`` are the foods of the kitchen as one buys them; ``seen`` has for each unit the place to look at, in the
