@@ -21,6 +21,7 @@ from foon_kg.loaders.video_tables import is_video_table, read_thing, read_video_
 from foon_kg.model import Annotation, ObjectNode, Participant, Timing
 from foon_kg.model.drafts import Draft, DraftFile, DraftRow, DraftUnit, LeftOut
 from foon_kg.model.errors import ReadError
+from foon_kg.model.nodes import name_of_file
 from foon_kg.model.regular_files import read_bytes
 
 UNIT_COLUMNS = ("start", "end", "motion", "inputs", "outputs", "dish")
@@ -71,7 +72,7 @@ def read_draft(path: Path) -> DraftFile:
         rows = tuple(table_rows(text))
     except UnreadableFile as broken:
         raise ReadError(f"{path}:{broken.line or 1}: {broken.problem.message}", hint="Mend the table.") from None
-    results = read_video_text(text, path.stem, str(path))
+    results = read_video_text(text, name_of_file(path), str(path))
     if len(results) != 1:
         raise ReadError(f"{path}: it has {len(results)} videos", hint="A draft is one video: split the table.")
     return _with_doubts(path, rows, results[0])

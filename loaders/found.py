@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from foon_kg.model.errors import ReadError
+from foon_kg.model.nodes import name_of_file
 from foon_kg.model.plugins import LOADERS, names
 
 _ENDINGS = (".txt", ".json", ".lisp")
@@ -72,4 +73,4 @@ def _refuse_folder(error: OSError) -> None:
 
 
 def _file_order(path: Path) -> tuple[str, bool, str]:
-    return (path.stem, path.suffix.lower() != ".txt", str(path))
+    return (name_of_file(path), path.suffix.lower() != ".txt", str(path))

@@ -22,6 +22,7 @@ from foon_kg.loaders.muhai_scene import Scene
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, Severity, UnreadableFile
 from foon_kg.model import Annotation, FunctionalUnit, Participant
 from foon_kg.model.errors import ReadError
+from foon_kg.model.nodes import name_of_file
 from foon_kg.model.regular_files import read_bytes
 
 _ENDING = ".lisp"
@@ -44,7 +45,7 @@ def read_muhai(paths: Iterable[Path]) -> Iterator[ReadResult]:
         if not files or (not path.is_dir() and path.suffix.lower() != _ENDING):
             raise ReadError(f"{path}: no MUHAI recipe there", hint=f"Name a *{_ENDING} file, or a folder of them.")
         found.update(files)
-    return (read_muhai_file(file) for file in sorted(found, key=lambda file: (file.stem, str(file))))
+    return (read_muhai_file(file) for file in sorted(found, key=lambda file: (name_of_file(file), str(file))))
 
 
 def read_muhai_file(path: Path) -> ReadResult:
@@ -57,7 +58,7 @@ def read_muhai_file(path: Path) -> ReadResult:
         text = data.decode("utf-8")
     except UnicodeDecodeError:
         text = data.decode("latin-1")  # MUHAI writes its degree signs so, in comments
-    return read_muhai_text(text, path.stem, str(path))
+    return read_muhai_text(text, name_of_file(path), str(path))
 
 
 def read_muhai_text(text: str, name: str, file: str = "") -> ReadResult:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
@@ -16,6 +15,7 @@ from foon_kg.loaders.notices import Journal, Notice, NoticeKind, Problem, ReadRe
 from foon_kg.loaders.text_blocks import CONTROL
 from foon_kg.loaders.text_reader import TextReader
 from foon_kg.model.errors import UsageError
+from foon_kg.model.nodes import name_of_file
 from foon_kg.model.plugins import LOADERS, plugin
 from foon_kg.model.regular_files import read_bytes
 
@@ -40,7 +40,7 @@ def read_paths(paths: Iterable[Path]) -> Iterator[ReadResult]:
     an exception. Raises ``ReadError`` for a path that does not exist or holds no FOON file.
     """
     found = foon_files(paths)
-    copies = Counter(file.stem for file in found)
+    copies = Counter(name_of_file(file) for file in found)
     return _read_all(found, {name for name, count in copies.items() if count > 1})
 
 
@@ -49,10 +49,10 @@ def _read_all(files: list[Path], with_copies: set[str]) -> Iterator[ReadResult]:
     usable: dict[str, ReadResult] = {}
     for file in files:
         result = _read_file(file, reader)
-        if file.stem in usable:
-            result = _copy(usable[file.stem], result)
-        elif file.stem in with_copies and result.subgraph is not None:
-            usable[file.stem] = result
+        if name_of_file(file) in usable:
+            result = _copy(usable[name_of_file(file)], result)
+        elif name_of_file(file) in with_copies and result.subgraph is not None:
+            usable[name_of_file(file)] = result
         yield result
 
 
@@ -103,7 +103,7 @@ def _video_name(path: Path) -> str:
         path.stem.encode()
     except UnicodeEncodeError as error:
         raise UnreadableFile("the name of the file is not UTF-8") from error
-    return unicodedata.normalize("NFC", path.stem)  # some file systems take names apart: o and ¨ for ö
+    return name_of_file(path)
 
 
 def _printable(path: Path) -> str:

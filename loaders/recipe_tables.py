@@ -27,6 +27,7 @@ from foon_kg.loaders.paths import decode
 from foon_kg.loaders.recipe1m import Tell, count_problem, instructions_of
 from foon_kg.model.collected import CollectedLine, CollectedRecipe
 from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.model.nodes import name_of_file
 from foon_kg.model.regular_files import open_regular, read_bytes
 
 LONGEST_LINE = 16_000_000
@@ -78,7 +79,7 @@ def _recipe(path: Path, number: int, place: str, row: object, tell: Tell) -> Col
         return NoticeKind.BAD_FIELD, "“ingredients” is no list of texts or of {object, state}"
     if problem := count_problem(len(lines)):
         return problem
-    alone = path.stem if path.suffix.lower() == ".json" and number == 1 else f"{path.stem}-{number}"
+    alone = name_of_file(path) if path.suffix.lower() == ".json" and number == 1 else f"{name_of_file(path)}-{number}"
     return CollectedRecipe(
         _number(row, "id") or alone,
         _text(row, "title") or "",

@@ -15,7 +15,6 @@ ingredients may enter here. In a row with a dish the goal is the food that comes
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
@@ -26,6 +25,7 @@ from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Re
 from foon_kg.loaders.paths import decode, read_paths
 from foon_kg.loaders.times import counts_hours, read_timing
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, ObjectNode, Participant, Timing
+from foon_kg.model.nodes import name_of_file, one_spelling
 from foon_kg.model.regular_files import read_bytes
 
 COLUMNS = ("start", "end", "motion", "inputs", "outputs")
@@ -86,7 +86,7 @@ def read_video_table(path: Path) -> tuple[ReadResult, ...]:
     that is no such table is one result without a subgraph. Never raises.
     """
     try:
-        return read_video_text(decode(read_bytes(path)), unicodedata.normalize("NFC", path.stem), str(path))
+        return read_video_text(decode(read_bytes(path)), name_of_file(path), str(path))
     except (UnreadableFile, OSError) as error:
         return (Journal(str(path)).reject_unread(error),)
 
@@ -105,7 +105,7 @@ def read_video_text(text: str, name: str, file: str = "") -> tuple[ReadResult, .
         return (Journal(file).reject_file(1, Problem(NoticeKind.UNREADABLE_FILE, _wrong_with(text))),)
     videos: dict[str, list[TableRow]] = {}
     for row in rows:
-        videos.setdefault(row.cells.get("video", "") or name, []).append(row)
+        videos.setdefault(one_spelling(row.cells.get("video", "")) or name, []).append(row)
     hours = counts_hours(row.cells.get(column, "") for row in rows for column in ("start", "end"))
     return tuple(_video(video, listed, file, hours=hours) for video, listed in (videos or {name: []}).items())
 

@@ -14,6 +14,7 @@ import typer
 from foon_kg.cli.keys import Keys
 from foon_kg.cli.streams import data
 from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.model.nodes import name_of_file, one_spelling
 from foon_kg.model.written_files import write_file
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ def review_in_person(path: Path, output: Path | None) -> bool:
 
     if output is not None and output.suffix.lower() != ".txt":
         raise UsageError(f"{output}: what is decided is FOON text", hint="Its name ends in .txt.")
-    session = ReviewSession(path, Review.of(read_table(path), path.stem, str(path)))
+    session = ReviewSession(path, Review.of(read_table(path), name_of_file(path), str(path)))
     with session.keys.open(), suppress(KeyboardInterrupt):  # pressed while a row is still being shown
         session.ask()
     if session.review.decisions:
@@ -71,6 +72,7 @@ def draft_of_recipe(path: Path, recipe_id: str) -> Path:
     from foon_kg.loaders.lessons import read_drafted
     from foon_kg.loaders.narrated import is_video_name
 
+    recipe_id = one_spelling(recipe_id)
     found = next((one for one in read_drafted([path]) if one.id == recipe_id), None)
     if found is None or not found.table:
         why = found.problem if found else "no line is of it"

@@ -16,6 +16,7 @@ from foon_kg.model.errors import NoTreeError, ReadError
 from foon_kg.model.json_fields import Fields
 from foon_kg.model.json_text import json_value
 from foon_kg.model.names import canonical
+from foon_kg.model.nodes import name_of_file
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 
@@ -29,10 +30,10 @@ def read_exported_trees(path: Path, say: Say) -> list[ExportedTree]:
     """
     text = text_of(path)
     if not text.lstrip().startswith(("{", "[")):
-        return [_of_file(path, read_text(text, path.stem, str(path)), say)]
+        return [_of_file(path, read_text(text, name_of_file(path), str(path)), say)]
     values = list(json_values(path, text))
     if len(values) == 1 and _is_subgraph(values[0][1]):
-        return [_of_file(path, read_json(text, path.stem, str(path)), say)]
+        return [_of_file(path, read_json(text, name_of_file(path), str(path)), say)]
     return list(_of_plans(path, values, say))
 
 

@@ -12,6 +12,7 @@ import typer
 from foon_kg.cli.console import Files, Json, Quiet, examples, json_line, print_json, print_view
 from foon_kg.cli.shown import Shown, pixels
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
+from foon_kg.model.nodes import name_of_file
 from foon_kg.model.written_files import write_file
 
 if TYPE_CHECKING:
@@ -172,7 +173,7 @@ def _of_text(text: str, path: Path) -> ShownTree:
     from foon_kg.formats.views.shown_tree import ShownTree
     from foon_kg.loaders import read_text
 
-    subgraph = read_text(text, path.stem, str(path)).subgraph
+    subgraph = read_text(text, name_of_file(path), str(path)).subgraph
     if subgraph is None or not subgraph.annotations:
         raise ReadError(f"{path}: no task tree in it", hint="Give a plan result (JSON) or FOON text.")
     return ShownTree.of_subgraph(subgraph)

@@ -13,6 +13,7 @@ from foon_kg.loaders import Notice, read_text
 from foon_kg.model import Recipe, Subgraph, regular_files
 from foon_kg.model.errors import ReadError
 from foon_kg.model.json_text import json_value_at
+from foon_kg.model.nodes import name_of_file
 from foon_kg.model.tree import TaskTree
 from foon_kg.validation import tree_from_json, tree_from_subgraph
 
@@ -85,7 +86,7 @@ def text_of(file: Path) -> str:
 
 
 def _from_text(file: Path, text: str, recipe: Recipe | None) -> TreeDocument:
-    result = read_text(text, file.stem, str(file))
+    result = read_text(text, name_of_file(file), str(file))
     if result.subgraph is None:
         raise ReadError(f"{file}: no task tree in it", hint=_HINT)
     tree = tree_from_subgraph(result.subgraph, recipe)

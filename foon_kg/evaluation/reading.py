@@ -19,6 +19,7 @@ from foon_kg.model import Subgraph, regular_files
 from foon_kg.model.errors import ReadError
 from foon_kg.model.json_fields import Fields, JsonObject
 from foon_kg.model.json_text import json_value
+from foon_kg.model.nodes import one_spelling
 from foon_kg.model.tree import TaskTree
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.validation import tree_from_json, tree_from_subgraph
@@ -149,7 +150,7 @@ def names_in(path: Path) -> frozenset[str]:
     """Return the names of the trees in the key at ``path``, or in a plain JSON list: what is not to be drawn again."""
     value = _json(read_text(path), str(path))
     if isinstance(value, list) and all(isinstance(name, str) for name in value):
-        return frozenset(value)
+        return frozenset(map(one_spelling, value))
     return frozenset(tree.name for tree in read_key(path))
 
 
@@ -173,7 +174,7 @@ def _of_key(value: object, number: int, where: str) -> ReadingTree:
     plan = value.get("plan") if isinstance(value, dict) else None
     if plan is not None:
         tree_from_json(plan, f"{where}: plan")
-    return ReadingTree(fields.text("id"), fields.text("dish_type"), plan)
+    return ReadingTree(one_spelling(fields.text("id")), fields.text("dish_type"), plan)
 
 
 def _json(text: str, where: str) -> object:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from foon_kg.foon.collected import Collected
 from foon_kg.foon.opened import Paths, Say, path_at, silent
 from foon_kg.model.errors import ReadError
+from foon_kg.model.nodes import one_spelling
 
 if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.model import Subgraph
@@ -150,7 +151,8 @@ class Changing(Collected):
         from foon_kg.store.graph import remove
         from foon_kg.store.graph.differences import losses
 
-        found = losses(connection, videos)
+        names = list(map(one_spelling, videos))
+        found = losses(connection, names)
         if not dry_run:
-            remove(connection, videos)
+            remove(connection, names)
         return found

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from foon_kg.foon.exploring import Exploring
 from foon_kg.foon.opened import silent
+from foon_kg.model.nodes import one_spelling
 
 if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.food.motion_costs import MotionCosts
@@ -34,7 +35,7 @@ class Collected(Exploring):
         """
         from foon_kg.store.graph.recipes import stored_recipe
 
-        return stored_recipe(self._connected("for recipes"), recipe_id)
+        return stored_recipe(self._connected("for recipes"), one_spelling(recipe_id))
 
     def recipes(self, dish_type: str = "", *, after: str = "") -> Iterator[StoredRecipe]:
         """Yield the recipes whose id is greater than ``after``, by id: those that surely are a ``dish_type``.
@@ -181,9 +182,10 @@ class Collected(Exploring):
         from foon_kg.store.graph.drafts import check_drafts, remove_drafts
 
         connection = self._connected("to take drafts out of")
-        check_drafts(connection, names)
+        drafts = list(map(one_spelling, names))
+        check_drafts(connection, drafts)
         if not dry_run:
-            remove_drafts(connection, names)
+            remove_drafts(connection, drafts)
 
     def store_weights(self, costs: MotionCosts) -> WeightsReport:
         """Store the ``costs`` of motions for a robot (0: always succeeds, 1: never), in place of all stored before.

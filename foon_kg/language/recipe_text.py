@@ -18,6 +18,7 @@ from foon_kg.loaders.notices import UnreadableFile
 from foon_kg.loaders.paths import decode
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.narration import Mention, Narration, Sentence
+from foon_kg.model.nodes import name_of_file
 from foon_kg.model.regular_files import read_bytes
 
 _BULLET = r"\s*(?:[-*\u2022]\s*)?"
@@ -40,7 +41,7 @@ def read_narration(path: Path, say: Callable[[str], object]) -> Narration:
     hears it, and the recipe lists none. Raises :class:`~foon_kg.model.errors.ReadError` where nothing in the file says
     what to do, and :class:`~foon_kg.model.errors.UsageError` where no video could have its name.
     """
-    if not is_video_name(path.stem):
+    if not is_video_name(name := name_of_file(path)):
         raise UsageError(f"{path}: a draft cannot be named after it", hint="Rename it: letters, digits, - and _.")
     parts = recipe_text(_lines(path))
     if not parts.instructions:
@@ -51,7 +52,7 @@ def read_narration(path: Path, say: Callable[[str], object]) -> Narration:
         say(f"{path}: drafted without its list of ingredients: {missing} {missing.hint}")
         listed = ()
     sentences = tuple(map(Sentence, parts.instructions))
-    return Narration(path.stem, sentences=sentences, source=path.name, ingredients=listed)
+    return Narration(name, sentences=sentences, source=path.name, ingredients=listed)
 
 
 def _lines(path: Path) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.model import content_key
+from foon_kg.model.nodes import one_spelling
 
 LONGEST_ID = 200
 LONGEST_LINE = 1_000
@@ -55,6 +56,9 @@ class CollectedRecipe:
     partition: str | None = None
     url: str | None = None
     instructions: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "id", one_spelling(self.id))
 
     @cached_property
     def content(self) -> str:

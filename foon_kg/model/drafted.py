@@ -13,6 +13,7 @@ from typing import Self
 
 from foon_kg.model import Subgraph, content_key
 from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.nodes import one_spelling
 
 DRAFT = "draft:"
 """Begins the name of every draft, and of no video."""
@@ -41,6 +42,9 @@ class DraftedRecipe:
     left_out: int = 0
     confidence: float = 0.0
     problem: str = ""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "id", one_spelling(self.id))
 
     @property
     def name(self) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from foon_kg.model import UNMEASURED, AskedAmount, Measures, ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.nodes import one_spelling
 
 
 def node_to_json(node: ObjectNode) -> JsonObject:
@@ -92,7 +93,7 @@ def sighting_to_json(sighting: Sighting) -> JsonObject:
 def sighting_from_json(fields: Fields) -> Sighting:
     """Return the sighting of the ``fields`` that :func:`sighting_to_json` wrote."""
     return Sighting(
-        fields.text("video"),
+        one_spelling(fields.text("video")),
         fields.whole_number("unit"),
         fields.optional_text("source"),
         fields.optional_number("start"),

@@ -6,9 +6,11 @@ Nothing here reads a file, a clock or a database. Everything is frozen, and equa
 from __future__ import annotations
 
 import hashlib
+import unicodedata
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
+from pathlib import Path
 from typing import NamedTuple
 
 from foon_kg.model.errors import ReadError
@@ -249,6 +251,9 @@ class Subgraph:
     annotations: tuple[Annotation, ...]
     sources: tuple[str, ...] = ()
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "name", one_spelling(self.name))
+
     @cached_property
     def content_key(self) -> str:
         """Return a hash of everything in it: an equal hash means that loading it again would change nothing.
@@ -354,6 +359,26 @@ class Recipe:
     ingredients: tuple[RequiredIngredient, ...]
     id: str | None = None
     title: str | None = None
+
+    def __post_init__(self) -> None:
+        if self.id is not None:
+            object.__setattr__(self, "id", one_spelling(self.id))
+
+
+def one_spelling(name: str) -> str:
+    """Return ``name`` with each letter and its accents as one sign: file systems and keyboards take ö apart, or not.
+
+    By names so spelled videos and recipes are found. What opens a file keeps the path as it is.
+
+    >>> len("cre\u0300me"), len(one_spelling("cre\u0300me"))
+    (6, 5)
+    """
+    return name if name.isascii() else unicodedata.normalize("NFC", name)
+
+
+def name_of_file(path: Path) -> str:
+    """Return what a file at ``path`` names: its own name without the ending, in :func:`one_spelling`."""
+    return one_spelling(path.stem)
 
 
 def distinct_by_name(subgraphs: Iterable[Subgraph]) -> tuple[Subgraph, ...]:

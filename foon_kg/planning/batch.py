@@ -14,6 +14,7 @@ from foon_kg.model import KnownUnit, Recipe
 from foon_kg.model.errors import FoonError, GraphError, NoTreeError, ReadError, UsageError
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
+from foon_kg.model.nodes import name_of_file
 from foon_kg.planning.avoidance import without_avoided
 from foon_kg.planning.considered import Considered
 from foon_kg.planning.explanation import Explanation
@@ -91,7 +92,7 @@ class Question:
         """Return what is known of the recipe before it is read, or where it cannot be."""
         if self.given is not None:
             return self.given
-        return Recipe(self.dish_type, (), id=None if self.path is None else self.path.stem)
+        return Recipe(self.dish_type, (), id=None if self.path is None else name_of_file(self.path))
 
 
 @dataclass(frozen=True)

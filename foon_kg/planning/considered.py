@@ -10,6 +10,7 @@ from foon_kg.model import ObjectNode
 from foon_kg.model.errors import NoTreeError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.node_json import node_to_json
+from foon_kg.model.nodes import one_spelling
 from foon_kg.planning.likes import RecipeLikes
 
 MOST_NEARER = 3
@@ -112,7 +113,7 @@ def made_after(found: Sequence[Fit], after: str) -> list[Fit]:
 
     Raises :class:`NoTreeError` where none is.
     """
-    chosen = [fit for fit in found if not after or after in {fit.frame.goal.label, fit.frame.video}]
+    chosen = [fit for fit in found if not after or after in {one_spelling(fit.frame.goal.label), fit.frame.video}]
     if after and not chosen:
         names = ", ".join(list(dict.fromkeys(fit.frame.goal.label for fit in found))[:5]) or "none"
         hint = f"What suits these foods best: {names}."

@@ -39,6 +39,7 @@ from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.unheeded import with_core_told, with_parts_told, with_unheeded
 from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
+from foon_kg.model.nodes import one_spelling
 from foon_kg.planning.attempt import Attempt
 from foon_kg.planning.avoidance import household_fat, kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.planning.considered import Considered, core_of, made_after, nearer_goals, other_goals
@@ -259,7 +260,7 @@ class PlannedRecipe:
         if lacks:
             raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(asked))
         after = self.settings.after
-        return self._fits(asked, [one.key for one in outlines.all if one.label == after] if after else [])
+        return self._fits(asked, [one.key for one in outlines.all if one_spelling(one.label) == after] if after else [])
 
     def _fits(self, asked: Asked, first: Sequence[str] = ()) -> list[Fit]:
         """Return how well the dishes suit that are worth a closer look, those with the keys ``first`` among them."""

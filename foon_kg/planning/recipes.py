@@ -22,6 +22,7 @@ from foon_kg.model.json_fields import Fields
 from foon_kg.model.json_text import json_value
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
+from foon_kg.model.nodes import name_of_file
 from foon_kg.model.regular_files import read_text
 from foon_kg.planning.several_asked import amount_of, counting, read_each
 from foon_kg.plans.kitchen import Kitchen
@@ -327,7 +328,7 @@ def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
         wanted += found
         notes += (f"{where}: {note}" for note in said)
     dish_type = fields.text("dish_type" if "dish_type" in fields and "type" not in fields else "type")
-    recipe_id = fields.optional_text("id") or path.stem
+    recipe_id = fields.optional_text("id") or name_of_file(path)
     return ReadRecipe(Recipe(dish_type, tuple(wanted), recipe_id, fields.optional_text("title")), tuple(notes))
 
 

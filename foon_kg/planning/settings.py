@@ -10,6 +10,7 @@ from typing import Literal
 from foon_kg.food import tables
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
+from foon_kg.model.nodes import one_spelling
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import Similarity
 
@@ -70,6 +71,7 @@ class PlanSettings:
         given: object = self.avoided
         if isinstance(given, str):  # its letters would be taken for names
             raise UsageError(f"what is avoided is a list, and no “{given}”", hint="A list of names, even of one.")
+        object.__setattr__(self, "after", one_spelling(self.after))
         named = tuple(chain.from_iterable(map(_each, self.avoided)))
         object.__setattr__(self, "avoided", named)
         odd = next((name for name in named if not any(letter.isalpha() for letter in canonical(name))), None)
