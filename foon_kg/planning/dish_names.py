@@ -146,7 +146,7 @@ def as_told(plan: Plan, asked: Asked, tin: str) -> Plan:
     told = frozenset((*asked.type_words, *asked.title_words))
     return replace(
         plan,
-        tin=tin,
+        tin=_tin(told, tin),
         stacked=asked.stacked,
         cold=_is_one(told, "is served cold"),
         flat=_is_one(told, "is rolled out"),
@@ -157,6 +157,12 @@ def as_told(plan: Plan, asked: Asked, tin: str) -> Plan:
         closed_by=closing(told, plan.joins),
         portioned=_is_one(told, "is portioned"),
     )
+
+
+def _tin(told: Collection[str], tin: str) -> str:
+    """Return in what a dish is baked whose ``tin`` may be that of one piece, while its title says that it is many."""
+    portions = _is_one(told, "is portioned") and tin in word_list("holds it in one piece")
+    return min(word_list("holds portions")) if portions else tin
 
 
 def _is_one(told: Collection[str], name: str) -> bool:

@@ -95,3 +95,79 @@ def test_the_forms_into_which_foods_are_cut_are_made_with_a_knife(steps, food, s
     told = steps("stir-fry", "Stir Fry", f"{food}:{state}", "chicken breast:cubed", "soy sauce:liquid", "oil:liquid")
     assert state in states_of(told, food)
     assert any(food in inputs and "knife" in inputs for inputs, _, _ in told)
+
+
+@pytest.mark.parametrize("title", ["Pan Rolls", "Hamburger Buns", "Soft Knots"])
+def test_bread_in_portions_is_cut_and_lies_on_a_tray(steps, title):
+    told = steps("bread", title, "flour:powder", "yeast:powder", "milk:warm", "butter:melted", "salt:granulated")
+    assert any("dough" in inputs and "knife" in inputs for inputs, _, _ in told)
+    assert "loaf pan" not in set().union(*(inputs for inputs, _, _ in told))
+
+
+def test_what_was_boiled_for_a_dough_is_cool_before_it_meets_the_yeast(steps):
+    told = steps("bread", "Potato Rolls", "potatoes:cubed", "potato water:cooled", "yeast:powder", "flour:powder",
+                 "egg:uncooked", "butter:softened", "salt:granulated")  # fmt: skip
+    mixed = next(place for place, (inputs, _, _) in enumerate(told) if {"yeast", "flour"} <= inputs)
+    cooled = [inputs for inputs, motion, _ in told[:mixed] if motion == "cool down"]
+    assert {"potatoes", "potato water"} <= set().union(*cooled)
+
+
+@pytest.mark.parametrize(("state", "seen"), [("scalded", "cooled"), ("lukewarm", "lukewarm"), ("warm", "warm")])
+def test_milk_for_a_dough_is_as_warm_as_it_is_asked(steps, state, seen):
+    told = steps("bread", "White Bread", "flour:powder", "yeast:powder", f"milk:{state}", "salt:granulated")
+    assert {state, seen} <= states_of(told, "milk")
+
+
+def test_fresh_yeast_is_crumbled_and_is_no_powder(steps):
+    told = steps("bread", "White Bread", "flour:powder", "fresh yeast:crumbled", "water:lukewarm", "salt:granulated")
+    assert "crumbled" in states_of(told, "fresh yeast")
+    assert "powder" not in states_of(told, "fresh yeast")
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "foods"),
+    [
+        ("pie", "Lemon Meringue Pie", ("pie crust:raw", "lemon juice:juice", "starch:powder", "egg yolk:raw")),
+        ("cookie", "Meringue Cookies", ("vanilla:liquid",)),
+        ("cake", "Pavlova", ("whipping cream:creamy", "strawberries:sliced")),
+    ],
+)
+def test_a_meringue_is_beaten_to_a_foam_in_the_bowl_that_it_was_begun_in(steps, dish_type, title, foods):
+    told = steps(dish_type, title, "egg whites:uncooked", "sugar:granulated", *foods)
+    assert "whipped" in states_of(told, "egg whites")
+    foam = [inputs for inputs, motion, _ in told if motion == "whisk" and "egg whites" in inputs]
+    assert all("bowl" in inputs for inputs in foam)
+    assert any("sugar" in inputs for inputs in foam)
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "flesh", "liquid"),
+    [
+        ("steak", "Cola Marinated Flank Steak", "flank steak:raw", "cola:liquid"),
+        ("seafood", "Marinated Salmon", "salmon:fillets", "lime juice:juice"),
+        ("pork", "Beer Marinated Pork Chops", "pork chops:uncooked", "beer:liquid"),
+    ],
+)
+def test_flesh_comes_raw_out_of_its_marinade_is_turned_and_meets_the_rest_again(steps, dish_type, title, flesh, liquid):
+    told = steps(dish_type, title, flesh, liquid, "soy sauce:liquid", "garlic:minced", "oil:liquid")
+    food, drop = flesh.split(":")[0], liquid.split(":")[0]
+    assert first(told, drop, "stir") < motions(told).index("chill") < first(told, food, "flip")
+    lifted = [node for _, motion, outputs in told if motion == "remove" for node in outputs if node.label == food]
+    assert lifted
+    assert not any("cooked" in node.states for node in lifted)
+    assert first(told, food, "flip") < motions(told).index("simmer")
+
+
+def test_a_slow_cooker_has_one_pot_and_ready_grain_comes_beside_it(steps):
+    told = steps("chicken", "Crockpot Chicken", "chicken thighs:raw", "tomatoes:canned", "onion:sliced",
+                 "chicken broth:liquid", "tapioca:powder", "couscous:cooked")  # fmt: skip
+    assert motions(told).count("simmer") == 1
+    assert "cooking pan" not in set().union(*(inputs for inputs, _, _ in told))
+    assert last(told, "tapioca") <= motions(told).index("simmer") < first(told, "couscous", "cook")
+
+
+def test_dumplings_for_which_nothing_wet_is_asked_get_water(steps):
+    told = steps("beef", "Beef Stew with Dumplings", "stewing beef:cut", "onions:chopped", "beef stock:liquid",
+                 "self-raising flour:powder:dumplings", "suet:grated:dumplings")  # fmt: skip
+    mixed = next(inputs for inputs, motion, _ in told if motion == "mix" and "self-raising flour" in inputs)
+    assert "water" in mixed

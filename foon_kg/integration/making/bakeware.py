@@ -53,10 +53,14 @@ class Bakeware:
         return row.can.isdisjoint({"heat", "cook"}) or (bool(self.tin) and in_oven)
 
     def _needs_tin(self, label: str, batter: Sequence[Stuff]) -> bool:
-        """Whether batter comes into the tin of its dish: where a video bakes it in a tin, or it runs."""
+        """Whether batter comes into the tin of its dish: where a video bakes it in a tin, or it runs.
+
+        So does dough that lies flat in pieces where a video bakes it in one.
+        """
         row = self.known.utensil(label)
         in_portions = row is not None and row.group == "tins"
-        return bool(self.tin) and (in_portions or any(is_wet(stuff, self.known) for stuff in batter))
+        shaped = is_flat(self.tin) and label in word_list("holds it in one piece")
+        return bool(self.tin) and (in_portions or shaped or any(is_wet(stuff, self.known) for stuff in batter))
 
     def _is_batter(self, stuff: Stuff) -> bool:
         """Whether a mixture sets when it is baked, and is no sauce."""

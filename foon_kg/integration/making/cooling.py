@@ -25,11 +25,19 @@ class Cooling:
     def alone(self, join: Join, ready: Ready) -> None:
         """Let a food that is ``ready`` cool that was cooked by itself, if it is asked so or joins what stays cold.
 
-        ``join`` is where that is.
+        So does what comes to a leaven that lives, which a boiling heat would kill. ``join`` is where that is.
         """
         asked = join.want.asked in word_list("is so by cooling")
-        if asked or (self.plan.cooled and not join.spot.heats_later):
+        if asked or (self.plan.cooled and not join.spot.heats_later) or self._meets_what_lives(join):
             self._cool(ready.stuff.at, ready.stuff)
+
+    def _meets_what_lives(self, join: Join) -> bool:
+        """Whether a food joins where what makes dough rise does, and is hotter than a hand when it was cooked."""
+        want = join.want
+        if want.facts.is_a("fat") or want.make in word_list("is as warm as a hand"):
+            return False
+        others = (one.want for one in self.course.joins_of([join.spot.stage]) if one is not join)
+        return any(one.facts.is_any(word_list("makes dough rise")) for one in others)
 
     def before(
         self, stage: Stage, vessel: Vessel | None, beside: Sequence[tuple[Line, Vessel]], later: Sequence[Stage]

@@ -42,7 +42,7 @@ class Outcome:
         if last or is_goal:
             return self.plan.label if self._is_the_dish(vessel) else MIXTURE
         if not self._names_a_product(stage):
-            return vessel.contents[0].label if self._foams(stage, vessel) else ""
+            return self._foam_of(vessel) if self._foams(stage, vessel) else ""
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
         return self._product_label(stage.label, foods) if self._is_true_of(stage.label, foods) else ""
 
@@ -91,6 +91,12 @@ class Outcome:
         found = {s.label for s in vessel.contents if not all(facts(food).is_any(coats) for food in s.foods)}
         return found.pop() if len(found) == 1 else ""
 
+    def _foam_of(self, vessel: Vessel) -> str:
+        """Return what a foam is called: as the food of it that foams."""
+        facts = self.known.foods.food
+        found = (stuff.label for stuff in vessel.contents if facts(stuff.label).is_any(word_list("foams")))
+        return next(found, vessel.contents[0].label)
+
     # --- in which states it is ---
 
     def states(self, stage: Stage, vessel: Vessel, way: Way, *, product: bool, finished: bool) -> tuple[str, ...]:
@@ -113,7 +119,7 @@ class Outcome:
         return tuple(sorted(states))
 
     def _mixed(self, stage: Stage, vessel: Vessel, way: Way) -> set[str]:
-        """Return the states that mixing gives: coated, kneaded, blended, mixed; a foam is as its video says."""
+        """Return the states that mixing gives: coated, kneaded, blended, mixed; a foam is as its stage says."""
         does = self.known.motion(way[0]).does
         states = {"coated"} if stage.does >= COATS else set[str]()
         if "knead" in does:
@@ -125,9 +131,12 @@ class Outcome:
         return states | (set(stage.states) if self._foams(stage, vessel) else {"mixed"})
 
     def _foams(self, stage: Stage, vessel: Vessel) -> bool:
-        """Whether one food is beaten by itself to a foam, and is called as before."""
-        foam = says(stage.states, "is beaten to a foam")
-        return foam and len(vessel.contents) == 1 and not vessel.contents[0].mixed
+        """Whether one food is beaten by itself to a foam, or egg white with no more than what sweetens and holds it."""
+        if not says(stage.states, "is beaten to a foam"):
+            return False
+        alone = len(vessel.contents) == 1 and not vessel.contents[0].mixed
+        foods = [self.known.foods.food(food) for food in foods_of(vessel)]
+        return alone or all(food.is_any(word_list("is beaten in with what foams")) for food in foods)
 
     def _heated(self, way: Way, *, finished: bool) -> set[str]:
         motion = self.known.motion(way[0])

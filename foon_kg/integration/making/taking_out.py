@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import POWDER
-from foon_kg.integration.bench import Bench, Stuff, Vessel, fineness, foods_of
+from foon_kg.integration.bench import Bench, Stuff, Vessel, fineness, foods_of, is_heated
 from foon_kg.integration.joining.course import Plan
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.operators import Attested, Way
@@ -110,15 +110,23 @@ class TakingOut:
     ) -> None:
         """Lift ``wants`` out of the ``whole`` in a ``vessel`` onto ``target``, in the way that is ``attested``.
 
-        They are still ``asked`` for, unless they only gave their taste.
+        They are still ``asked`` for, unless they only gave their taste. What was not heated is as raw as before.
         """
         parts = self._parts(wants, ("cooked",), target, asked=asked)
+        if not vessel.hot and not is_heated(whole.states, self.known):
+            for want, part in zip(wants, parts, strict=True):
+                part.states = self._as_before(want)
 
         def change() -> None:
             _forget(whole, wants)
             target.contents += parts
 
         self.bench.emit(attested, [vessel, whole, target], change, [vessel, whole, target, *parts])
+
+    def _as_before(self, want: Want) -> tuple[str, ...]:
+        """Return the states of a food that comes raw out of a mixture: it is no longer as it was bought."""
+        states = (want.make,) if want.make else want.leaf
+        return tuple(state for state in states if not self.known.state(state).undivided)
 
     # --- strained ---
 

@@ -114,6 +114,8 @@ class Water:
             kept.at, kept.states = cup, ("liquid",)
 
         self.bench.emit(attested, [pot, *pot.contents, cup], change, [cup, kept, pot, *rest])
+        if ready.want.asked in word_list("is so by cooling") | word_list("is as warm as a hand"):
+            self.bench.let_cool(cup, kept, kept.foods)
 
     def _water_in(self, pot: Vessel) -> Stuff | None:
         return next((stuff for stuff in pot.contents if self.known.foods.food(stuff.label).is_a("water")), None)
