@@ -81,13 +81,13 @@ def test_a_stove_is_not_turned_off_only_to_add_something(steps):
     assert motions.count("turn on") == 1
 
 
-def test_flesh_is_lifted_out_of_its_pan_before_the_sauce_for_it_is_made(steps):
+def test_the_sauce_is_made_before_flesh_that_is_lifted_out_of_its_pan_while_hot(steps):
     told = steps(
         "chicken", "Chicken Marsala", "chicken breast:raw", "flour:powder", "mushroom:sliced", "chicken broth:liquid",
         "butter:stick",
     )  # fmt: skip
     lifted = next(n for n, (inputs, motion, _) in enumerate(told) if motion == "pick-and-place" and "turner" in inputs)
-    assert first(told, "chicken breast", "flip") < lifted < first(told, "mushroom", "cook and stir")
+    assert first(told, "mushroom", "cook and stir") < first(told, "chicken breast", "flip") < lifted
 
 
 def test_what_nobody_mashes_is_not_mashed_because_a_video_did(steps):

@@ -92,3 +92,16 @@ def test_jam_and_dressing_are_baked_on_chicken(steps):
     told = steps("chicken", "Apricot chicken", "chicken thighs:raw", "apricot jam:jelly", "French dressing:creamy")
     assert inside(told, "stir") == {"apricot jam", "French dressing"}
     assert motions(told).index("stir") < motions(told).index("bake")
+
+
+def test_a_sauce_is_made_before_the_steak_under_it(steps):
+    told = steps("steak", "Steak with red wine sauce", "sirloin steaks:raw", "salt:granulated", "oil:liquid",
+                 "shallots:minced", "red wine:liquid", "beef stock:liquid", "butter:unmelted")  # fmt: skip
+    assert first(told, "beef stock", "pour") < first(told, "sirloin steaks", "flip")
+
+
+@pytest.mark.parametrize("sauce", [("mayonnaise:creamy", "garlic:minced"), ("soured cream:creamy", "dill:chopped")])
+def test_what_is_stirred_cold_for_patties_is_ready_when_they_come_out_of_the_pan(steps, sauce):
+    patties = ("ground lamb:raw", "salt:granulated", "oil:liquid", "burger buns:whole")
+    told = steps("burger", "Lamb burgers", *patties, *_under_heading((*sauce, "lemon juice:juice"), "sauce"))
+    assert motions(told).index("stir") < motions(told).index("flip")

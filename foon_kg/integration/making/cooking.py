@@ -130,8 +130,8 @@ class Cooking:
         What joins it is made first, but for what is made late.
         """
         turns, late = turns_of(line, after, main=main), self.stages.made_late(line)
-        for turn in turns:
-            self._run_all((add for add in self._alive(turn.stage) if id(add) not in late), turn)
+        for add, turn in self._at_once(line, turns, late):
+            self._run_all([add], turn)
         vessel: Vessel | None = None
         oven = self.placing.oven_of(line)
         for place, turn in enumerate(turns):
@@ -143,6 +143,12 @@ class Cooking:
         if vessel is not None:
             self.bench.heat_off(vessel)
         return vessel
+
+    def _at_once(self, line: Line, turns: Sequence[Turn], late: Collection[int]) -> list[tuple[Line, Turn]]:
+        """Return what joins a line in ``turns`` and is not made ``late``, each with its turn: first what keeps."""
+        first = self.stages.made_first(line)
+        lines = [(add, turn) for turn in turns for add in self._alive(turn.stage) if id(add) not in late]
+        return sorted(lines, key=lambda one: id(one[0]) not in first)
 
     def _by_itself(self, turn: Turn, vessel: Vessel | None) -> Vessel | None:
         """Return in what the whole is after a turn in which it is parted, or closed with bread; ``None`` at others."""

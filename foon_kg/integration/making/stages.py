@@ -18,9 +18,9 @@ from foon_kg.integration.composing.swelling import are_only_boiled
 from foon_kg.integration.joining.course import MIXES, WORKS, Course, Plan
 from foon_kg.integration.joining.spots import Join, any_is, only_carries
 from foon_kg.integration.making.consistency import is_loose_in_liquid
-from foon_kg.integration.making.turns import Turn
+from foon_kg.integration.making.turns import Turn, after_the_oven, is_over_heat, laid_later, waiting
 from foon_kg.integration.teaching.forms import form_of
-from foon_kg.integration.teaching.frames import BATH, HEATS, THINNED, Line, Phase, Slot, Stage, Steamed
+from foon_kg.integration.teaching.frames import BATH, HEATS, THINNED, Line, Phase, Slot, Stage
 
 _LONG = 2
 """What was heated so often in a pan takes longer than pasta does."""
@@ -72,9 +72,14 @@ class Stages:
         So is what is cooked to be laid on the rest, where that comes out of a hot pan of its own, and is lifted out,
         and whatever comes on what was baked at last.
         """
-        late = [add for stage in _after_the_oven(line.stages) for add in stage.lines]
+        late = [add for stage in after_the_oven(line.stages) for add in stage.lines]
         late += [add for stage in line.stages for add in stage.lines if self._waits(stage, add)]
-        return frozenset(map(id, [*late, *_out_of_hot_pans(line.stages)]))
+        late += [add for add in laid_later(line.stages) if is_over_heat(add) and add not in waiting(line, self.course)]
+        return frozenset(map(id, late))
+
+    def made_first(self, line: Line) -> frozenset[int]:
+        """Return, by identity, what joins a line and is made before the rest: what keeps, for what is best hot."""
+        return frozenset(id(add) for add in waiting(line, self.course) if not self._makes_foam(add))
 
     def _waits(self, stage: Stage, line: Line) -> bool:
         waits = self.waits_for_sauce(stage) or self._waits_for_pan(stage, self.course.joins_of(line.stages))
@@ -364,31 +369,6 @@ class Stages:
 def _is_dry_phase(stage: Stage) -> bool:
     """Whether foods fry at a stage, in their turn, and none of them boils."""
     return isinstance(stage, Phase) and not stage.bath
-
-
-def _is_over_heat(line: Line) -> bool:
-    return any(stage.heats for stage in line.stages)
-
-
-def _after_the_oven(stages: Sequence[Stage]) -> Sequence[Stage]:
-    """Return the stages that come after the last one that heats, where that is in the oven or in steam."""
-    hot = [place for place, stage in enumerate(stages) if stage.heats]
-    if not hot:
-        return ()
-    last = stages[hot[-1]]
-    return stages[hot[-1] + 1 :] if "dry" in last.does or isinstance(last, Steamed) else ()
-
-
-def _out_of_hot_pans(stages: Sequence[Stage]) -> list[Line]:
-    """Return the lines that are laid, each out of a hot pan of its own, on what came out of one before."""
-    found: list[Line] = []
-    lifted = False
-    for stage in stages:
-        hot = list(filter(_is_over_heat, stage.lines))
-        if lifted and not stage.motion:
-            found += hot
-        lifted = lifted or bool(hot)
-    return found
 
 
 def _rises_by_nothing(stage: Stage, foods: Sequence[Food]) -> bool:
