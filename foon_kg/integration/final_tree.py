@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import cast
 
@@ -103,7 +103,13 @@ def _states(bench: Bench, cooking: Cooking, wants: Sequence[Want]) -> Iterator[S
         for state in in_turn(want.as_written or want.asked):
             names = (singular(want.label), *parts_asked(want.label, want.facts, state))
             if all((name, state) not in shown for name in names):
-                yield Substitution("state", want.label, state, _state_now(bench, ready.stuff, want), _READ)
+                yield Substitution("state", want.label, state, _read_as(want, shown, bench, ready.stuff), _READ)
+
+
+def _read_as(want: Want, shown: Collection[tuple[str, str]], bench: Bench, stuff: Stuff) -> str:
+    """Return the state that a step made of a food, as its own was read (skinned tomatoes are peeled); else its last."""
+    made = not want.cooked and (singular(want.label), want.make) in shown
+    return want.make if made else _state_now(bench, stuff, want)
 
 
 def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:
@@ -114,8 +120,6 @@ def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:
     if want.cooked and want.asked != _COOKED and bench.known.state(want.asked).needs_heat:
         return _COOKED
     alone = list(_shown_alone(bench, stuff.number))
-    if any(want.make in one.node.states for one in alone):  # as it was read: skinned tomatoes were peeled, then cut
-        return want.make
     last = alone[-1].node.states if alone else ()
     made = [state for state in last if state not in want.leaf]
     return next(iter((*made, *last, *want.leaf)), "")

@@ -214,3 +214,33 @@ def test_a_sauce_bound_with_starch_comes_after_what_is_fried_for_a_moment(steps)
     )
     fried = {food for inputs, motion, _ in told[:poured] if motion == "cook and stir" for food in inputs}
     assert {"tofu", "snow pea", "bok choy"} <= fried
+
+
+@pytest.mark.parametrize(
+    ("dish", "food", "done", "rest"),
+    [
+        ("seafood", "mussel:whole", ["scrub", "debeard"], ("white wine:liquid", "shallot:chopped", "butter:unmelted")),
+        ("seafood", "clam:fresh", ["scrub"], ("white wine:liquid", "garlic:minced", "butter:unmelted")),
+        ("seafood", "sea bass:whole", ["scale", "gut"], ("lemon:sliced", "olive oil:liquid", "salt:granulated")),
+        ("seafood", "mackerel:whole", ["gut"], ("lemon:sliced", "olive oil:liquid", "salt:granulated")),
+        ("seafood", "mussel:canned", [], ("shallot:chopped", "tomato:chopped", "olive oil:liquid")),
+        ("soup", "green lentil:dried", ["rinse"], ("carrot:diced", "onion:chopped", "vegetable stock:liquid")),
+        ("soup", "leek:sliced", ["cut off ends", "slice"], ("potato:diced", "vegetable stock:liquid")),
+        ("soup", "cauliflower:chopped", ["cut off ends", "chop"], ("potato:diced", "vegetable stock:liquid")),
+        ("bread", "rosemary:chopped", ["strip", "chop"], ("flour:powder", "yeast:powder", "water:liquid")),
+        ("bread", "rosemary:dried", [], ("flour:powder", "yeast:powder", "water:liquid")),
+        ("omelette", "broad bean:skinned", ["defrost", "peel"], ("egg:beaten", "butter:unmelted")),
+    ],
+)
+def test_a_food_is_cleaned_as_its_kind_needs_before_it_is_cut(steps, dish, food, done, rest):
+    label = food.partition(":")[0]
+    cleans = {"scrub", "debeard", "scale", "gut", "rinse", "cut off ends", "slice", "chop", "strip", "defrost", "peel"}
+    told = steps(dish, "", food, *rest)
+    assert [motion for inputs, motion, _ in told if motion in cleans and label in inputs] == done
+
+
+@pytest.mark.parametrize(("food", "boned"), [("chicken thigh:bone-in", True), ("chicken breast:boneless", False)])
+def test_flesh_comes_off_its_bones_before_it_is_pulled_apart(steps, food, boned):
+    told = motions(steps("sandwich", "Pulled Chicken Sandwich", food, "barbecue sauce:sauce", "bun:whole"))
+    assert "pull apart" in told
+    assert ("bone" in told[: told.index("pull apart")]) is boned

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Set
 
+from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Stuff, Vessel
 from foon_kg.integration.joining.course import COATS, MIXES, WORKS
 from foon_kg.integration.making.lifting import lifts_later
 from foon_kg.integration.making.outcome import MIXTURE, says_raw
 from foon_kg.integration.making.placing import Placing
 from foon_kg.integration.making.turns import Turn
+from foon_kg.integration.preparing.preparation import Ready
+from foon_kg.integration.preparing.treating import Treater
 from foon_kg.integration.teaching.frames import Asked
 from foon_kg.integration.teaching.operators import Attested, Way
 from foon_kg.model.values import made_often
@@ -50,9 +53,19 @@ class Doing:
         attested = self.work.ways.way(stage, vessel)
         if attested is None:
             return
+        if stage.motion in word_list("pulls flesh apart"):
+            self._clear(vessel)
         self._work(turn, vessel, attested, with_device=bool(device))
         if vessel.relation != "on" and not self.stages.stays_in(vessel, turn.later):
             self.bench.heat_off(vessel)
+
+    def _clear(self, vessel: Vessel) -> None:
+        """Take what nobody eats out of the flesh in a vessel, before that is pulled apart."""
+        treater = Treater(self.bench)
+        for join in self.plan.joins:
+            for stuff in vessel.contents:
+                if join.want.number in stuff.wants and not stuff.mixed:
+                    treater.clear(Ready(join.want, stuff))
 
     def _is_idle(self, turn: Turn, vessel: Vessel) -> bool:
         """Whether a stage would change nothing; what a title asks for is done in any case."""

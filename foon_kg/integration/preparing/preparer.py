@@ -12,7 +12,7 @@ from foon_kg.food import words
 from foon_kg.food.lists import says, word_list
 from foon_kg.food.parted import parts_in
 from foon_kg.food.rows import HALVED, POWDER
-from foon_kg.food.workings import working
+from foon_kg.food.workings import made_first, working
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.preparing.cutting import BOWL
 from foon_kg.integration.preparing.preparation import (
@@ -94,9 +94,17 @@ class Preparer(Treater):
             self.rinse(ready, min(word_list("is so when it is rinsed")))
         if want.asked in word_list("is so when it has thawed"):
             self.bring_about(ready, want.asked)
-        opened = _opened_first(want)
-        if opened:
-            self.bring_about(ready, opened)
+        self._clean_first(ready)
+
+    def _clean_first(self, ready: Ready) -> None:
+        """Do to a food that gets ``ready`` what its kind needs before all else."""
+        want = ready.want
+        told = (want.asked, *words(want.label), *words(want.asked), *want.leaf)
+        for state in made_first(want.facts, want.asked, told, cut=self.is_asked_cut(want)):
+            if state not in word_list("is so when it is rinsed"):
+                self.bring_about(ready, state)
+            elif not _is_soaked_first(want):  # that is poured off
+                self.rinse(ready, state)
 
     def _is_pressed(self, want: Want, form: Sequence[str]) -> bool:
         """Whether only the juice of a food joins: as it is asked, or as such a food joins elsewhere."""
@@ -191,6 +199,8 @@ class Preparer(Treater):
     def cut_now(self, ready: Ready) -> None:
         """Cut or mash what is ``ready`` and had to be cooked before."""
         state, ready.cut_later = ready.cut_later, ""
+        if state in word_list("is pulled apart by hand"):
+            self.clear(ready)
         if state:
             self._cut(ready, state, done=True)
 
@@ -301,17 +311,6 @@ def _is_packed_dry(want: Want) -> bool:
     """Whether a food is asked as it was packed to be kept, by its state or its name."""
     told = says((want.asked, *words(want.label)), "is packed dry")
     return told and want.facts.kind in word_list("is rinsed of what it was packed in")
-
-
-def _opened_first(want: Want) -> str:
-    """Return in which state a food is once it is rid of what is inside it, before all else; ``""`` for most."""
-    kind = want.facts.kind
-    if kind in word_list("is seeded first"):
-        return min(word_list("is so once it is opened"))
-    whole = want.asked in word_list("is whole as it was caught")
-    caught = kind in word_list("is cleaned first where it is whole" if whole else "is cleaned first")
-    told = says((want.asked, *words(want.label)), "says that it is cleaned")
-    return min(word_list("is so once it is cleaned")) if caught and not told else ""
 
 
 def _is_worked_whole(want: Want) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from foon_kg.food import Level
+from foon_kg.food import Level, words
 from foon_kg.food.lists import says, word_list
 from foon_kg.food.workings import Working, working
 from foon_kg.integration.bench import RefusedError, Stuff, Vessel, is_flat
@@ -133,9 +133,15 @@ class Treater(Cutter):
         bench.act(stuff, act, tuple(sorted({*kept, state})), how.on)
         return True
 
+    def clear(self, ready: Ready) -> None:
+        """Take what nobody eats out of flesh that is ``ready`` and was cooked, where its name or state tells of it."""
+        told = (*words(ready.want.label), *words(ready.want.asked), ready.want.asked)
+        if says(told, "says that it is still to be cleared") and not says(told, "says that it was cleared"):
+            self.bring_about(ready, min(word_list("is so when it is cleared")), done=True)
+
     def _is_poured_to(self, how: Working, stuff: Stuff) -> bool:
         """Whether a food comes by itself into the vessel in which it is worked: hands take what is in pieces."""
-        if stuff.at is None or stuff.at.label == how.on:
+        if stuff.at is None or how.on in {"", stuff.at.label}:
             return False
         loose = form_of(self.known, stuff.label, stuff.states) not in {"whole", "pieces"}
         return loose if stuff.at.storage else not is_flat(how.on)
@@ -243,7 +249,9 @@ class Treater(Cutter):
         if attested is None:
             return False
         if stuff.at is None or stuff.at.storage:
-            bench.bring([stuff], bench.vessel("strainer"), bench.require([("pick-and-place", ()), ("pour", ())], foods))
+            loose = ready.want.facts.is_any(word_list("lies loose"))
+            brought: list[Way] = [("pour", ())] if loose else [("pick-and-place", ()), ("pour", ())]
+            bench.bring([stuff], bench.vessel("strainer"), bench.require(brought, foods))
         places = [stuff.at] if stuff.at is not None else []
         states = tuple(sorted({*stuff.states, state}))
 
