@@ -37,7 +37,7 @@ def foon(
 
 
 def main() -> None:
-    """Run ``foon`` (the entry point of the installed program)."""
+    """Run ``foon``; the installed program begins in :mod:`foon_kg.__main__`."""
     gc.set_threshold(1_000_000, 50, 100)  # a command makes many small values and ends: they are not worth collecting
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # numpy's matrices are small here: its threads cost their start
     data_frames.leave_out()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import signal
 import subprocess
@@ -69,17 +70,65 @@ def test_a_command_line_that_cannot_be_read_says_where_help_is_in_two_lines():
     assert answer.stdout == ""
 
 
+WAITING = """
+import os, signal, sys
+
+class WaitsForWhoStopsIt:
+    def find_spec(self, name, *_):
+        if name == os.environ["WAITS_AT"]:
+            print("imports", name, file=sys.stderr, flush=True)
+            os.read(int(os.environ["HELD_BY"]), 1)
+
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may ignore it
+sys.meta_path.insert(0, WaitsForWhoStopsIt())
+"""
+"""Python runs this before all else, as ``sitecustomize``: an import waits until somebody writes, and nobody does."""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signal")
+@pytest.mark.parametrize(
+    "module", ["foon_kg.cli", "typer", "foon_kg.cli.similar", "foon_kg.foon", "foon_kg.planning.batch"]
+)
+def test_who_stops_a_command_while_it_imports_gets_130_and_no_traceback(module, tmp_path):
+    (tmp_path / "sitecustomize.py").write_text(WAITING, encoding="utf-8")
+    read, write = os.pipe()
+    there = os.environ | {"PYTHONPATH": str(tmp_path), "WAITS_AT": module, "HELD_BY": str(read)}
+    words = ["plan", "--dish", "salad", "onion"] if "planning" in module else ["similar", "caper"]
+    call = [sys.executable, "-m", "foon_kg", *words, "--files", DEMO]
+    with subprocess.Popen(call, env=there, pass_fds=[read], stderr=subprocess.PIPE, text=True) as running:
+        said = [running.stderr.readline()]
+        running.send_signal(signal.SIGINT)
+        said += running.stderr.readlines()
+    os.close(read)
+    os.close(write)
+    assert f"imports {module}\n" in said
+    assert running.returncode == 128 + signal.SIGINT, said
+    assert "Traceback" not in "".join(said)
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signal")
 def test_who_stops_a_command_gets_130():
     code = "import os, signal; signal.signal(signal.SIGINT, signal.default_int_handler); "  # a shell may ignore it
-    code += "from foon_kg.cli import main; import foon_kg.cli.similar as s; "
+    code += "from foon_kg.__main__ import main; import foon_kg.cli.similar as s; "
     code += "s._print_neighbours = lambda *_: os.kill(os.getpid(), signal.SIGINT); main()"
     call = [sys.executable, "-c", code, "similar", "caper", "--files", DEMO]
     ended = subprocess.run(call, capture_output=True, text=True, check=False)
     assert ended.returncode == 128 + signal.SIGINT
     assert "Traceback" not in ended.stderr
     assert "130" in PAGE
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signal")
+def test_who_stops_a_command_that_has_ended_sees_no_traceback():
+    code = "import atexit, os, signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
+    code += "atexit.register(lambda: os.kill(os.getpid(), signal.SIGINT)); "
+    code += "from foon_kg.__main__ import main; main()"
+    ended = subprocess.run([sys.executable, "-c", code, "--version"], capture_output=True, text=True, check=False)
+    assert ended.returncode == -signal.SIGINT  # which shells tell as 130
+    assert (ended.stdout.startswith("foon-kg"), ended.stderr) == (True, "")
 
 
 def test_a_misspelled_food_is_told_with_what_may_be_meant_and_a_known_one_is_not():
