@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+import os
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
 
 from foon_kg.cli.blocks import adding, form_of, whole_blocks
+from foon_kg.cli.console import json_line
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
 from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.json_text import json_value
 
 _EXIT_CODES = {"read": ReadError.exit_code, "usage": UsageError.exit_code, "unknown-dish-type": UsageError.exit_code}
 
@@ -39,11 +42,45 @@ class AnswerFile:
         values = tuple(value_of(path, number, line) for number, line in enumerate(whole, 1))
         return cls(path, values, blocks[-1][1] if blocks else 0)
 
+    def mended(self, recipes: Sequence[JsonObject]) -> tuple[int, ...]:
+        """Return the places (from 0) of lines that say of one of ``recipes`` that it cannot be read, which now it can.
+
+        Raises ``UsageError`` unless all other lines answer the first of these, in order.
+        """
+        found = []
+        for place, line in enumerate(self.lines):
+            if place >= len(recipes) or not _may_answer(line, recipes[place]):
+                raise _not_ours(self.path, place + 1, "answers another question than this command asks")
+            if line["recipe"] != recipes[place]:
+                found.append(place)
+        return tuple(found)
+
     def check(self, recipes: Sequence[JsonObject]) -> None:
         """Raise ``UsageError`` unless the lines answer the first of ``recipes``, in order."""
-        for number, line in enumerate(self.lines, 1):
-            if number > len(recipes) or line["recipe"] != recipes[number - 1]:
-                raise _not_ours(self.path, number, "answers another question than this command asks")
+        for place in self.mended(recipes):
+            raise _not_ours(self.path, place + 1, "answers another question than this command asks")
+
+    def surest(self, without: Collection[int]) -> int | None:
+        """Return the place of the last line with a tree that is not among ``without``; ``None`` where there is none."""
+        trees = (place for place, line in enumerate(self.lines) if "units" in line and place not in without)
+        return max(trees, default=None)
+
+    def check_tree(self, place: int, now: JsonObject) -> None:
+        """Raise ``UsageError`` where the line at ``place`` has other steps than ``now``: :func:`check_tree`."""
+        check_tree(self.path, place + 1, self.lines[place], now)
+
+    def with_lines(self, anew: Mapping[int, JsonObject]) -> AnswerFile:
+        """Write the file with other lines at the places of ``anew``, whole or not at all; return what it holds."""
+        whole = self.path.resolve()
+        beside = whole.with_name(f".{os.getpid()}-{whole.name}")
+        try:
+            with adding(beside, 0) as add:
+                for place, line in enumerate(self.lines):
+                    add(json_line(anew.get(place, line)))
+            beside.replace(whole)
+        finally:
+            beside.unlink(missing_ok=True)
+        return AnswerFile.read(self.path)
 
     @property
     def exit_code(self) -> int:
@@ -53,6 +90,31 @@ class AnswerFile:
     def going_on(self) -> AbstractContextManager[Callable[[str], None]]:
         """Open the file after its last whole block; return what adds a line to it."""
         return adding(self.path, self.size)
+
+
+def _may_answer(line: JsonObject, recipe: JsonObject) -> bool:
+    """Whether a ``line`` answers ``recipe``, or says that it could not be read when it was still a broken one."""
+    asked, error = line["recipe"], line.get("error")
+    broken = isinstance(error, dict) and error.get("code") in _EXIT_CODES
+    return bool(asked == recipe or (broken and not asked["ingredients"] and asked["id"] == recipe["id"]))
+
+
+def _steps(told: JsonObject) -> object:
+    """Return what a plan makes by which steps; what is told of these may hang on how long a search could take."""
+    sides = ("input_nodes", "motion_node", "output_nodes")
+    units = told.get("units", ())
+    return told.get("goal"), [[unit[side] for side in sides] for unit in units]
+
+
+def check_tree(path: Path, number: int, line: JsonObject, now: JsonObject) -> None:
+    """Raise ``UsageError`` where a ``line`` of the file at ``path`` has other steps than its question gives ``now``.
+
+    One question has one answer, so that the file is of another FOON, or was asked with other wishes. ``number`` is the
+    line's, from 1.
+    """
+    if _steps(line) != _steps(json_value(json_line(now))):
+        told = line["recipe"].get("id") or "its recipe"
+        raise _not_ours(path, number, f"has another tree of {told} than this FOON, kitchen and wishes give")
 
 
 def exit_code_of(line: JsonObject) -> int:

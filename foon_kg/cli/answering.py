@@ -48,7 +48,7 @@ def answer_all(
     They are planned of ``foon`` with ``settings`` in ``jobs`` processes, or on the cluster of the scheduler at
     ``dask``; ``writing`` says where to, and in which form.
     """
-    done = None if writing.output is None else _answered_before(writing.output, questions, foon, settings)
+    done = _answered_before(questions, foon, settings, writing)
     there = 0 if done is None else len(done.lines)
     if there:
         writing.say(f"{writing.output} has {there} of {len(questions)} answers already")
@@ -93,16 +93,32 @@ def show_view(answer: Answer) -> None:
             print_view(explanation_view(answer.explanations))
 
 
-def _answered_before(path: Path, questions: Sequence[Question], foon: Foon, settings: PlanSettings) -> AnswerFile:
+def _answered_before(
+    questions: Sequence[Question], foon: Foon, settings: PlanSettings, writing: Writing
+) -> AnswerFile | None:
+    """Return what the output file holds of the answers to ``questions``: recipes that were mended are planned anew.
+
+    One of its trees is planned once more: of another FOON, in another kitchen or with other wishes it is another one,
+    and the file is refused.
+    """
+    if writing.output is None:
+        return None
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.model.node_json import recipe_to_json
 
-    done = AnswerFile.read(path, len(questions))
-    if done.lines:
-        words = replace(foon.words(), there=settings.kitchen)
-        first = questions[: len(done.lines)]
-        done.check([recipe_to_json(question.as_planned(words, settings.avoided)) for question in first])
-    return done
+    done = AnswerFile.read(writing.output, len(questions))
+    if not done.lines:
+        return done
+    words = replace(foon.words(), there=settings.kitchen)
+    first = questions[: len(done.lines)]
+    mended = done.mended([recipe_to_json(question.as_planned(words, settings.avoided)) for question in first])
+    surest = done.surest(mended)
+    if surest is not None:
+        done.check_tree(surest, foon.answer(questions[surest], settings).outcome.to_json())
+    if not mended:
+        return done
+    writing.say(f"{writing.output}: {len(mended)} recipes could not be read before, and are planned now")
+    return done.with_lines({place: foon.answer(questions[place], settings).outcome.to_json() for place in mended})
 
 
 def _stdout_is_terminal() -> bool:

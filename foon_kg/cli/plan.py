@@ -153,8 +153,8 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
 
     A recipe file is {"id", "title", "type", "ingredients": [{"object", "state"}]}. With --json every recipe is one
     line, in order; one that has no tree is a line with an "error". With several recipes the exit code is the highest.
-    With --output a run that was stopped, started again with the same command, does only what is still missing. Of a
-    file whose name ends in .gz or .zst it keeps all but the last 63 lines.
+    With --output a run that was stopped, started again with the same command, does only what is still missing, and what
+    could not be read and was mended. Of a file whose name ends in .gz or .zst it keeps all but the last 63 lines.
 
     What --kitchen names is all that is at hand: utensils ("knife", "oven, preheated"), foods ("egg", "onion,
     chopped", "egg in carton"), or both; of a kind that it does not name, everything. A tree takes nothing else; where

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from foon_kg.cli.answer_file import exit_code_of, value_of
+from foon_kg.cli.answer_file import check_tree, exit_code_of, value_of
 from foon_kg.cli.blocks import adding, form_of, whole_blocks
 from foon_kg.cli.console import Say, json_line
 from foon_kg.cli.dish_types import check_dish_types
@@ -16,6 +16,7 @@ from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.foon import Foon, PlanSettings
+    from foon_kg.model.json_fields import JsonObject
 
 ALL = "all"
 
@@ -34,12 +35,16 @@ class CollectionRun:
 
 @dataclass(frozen=True)
 class Done:
-    """What a file holds already: so many plans, the last for the recipe ``last``, in so many bytes; its exit code."""
+    """What a file holds already: so many plans, the last for the recipe ``last``, in so many bytes; its exit code.
+
+    ``plan`` is the last of those that end a block and have a tree, with the number of its line.
+    """
 
     count: int = 0
     last: str = ""
     size: int = 0
     code: int = 0
+    plan: tuple[int, JsonObject] | None = None
 
 
 def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, run: CollectionRun) -> int:
@@ -62,11 +67,15 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
         done, count = _still_ours(collection, dish_type, run)
         if done.count:
             run.say(f"{run.output} has {done.count} of {count} answers already")
-        if done.count == count:
-            return done.code
         with front_door(run.files, run.say) as door:
             if kitchen is not None:
                 settings = replace(settings, kitchen=kitchen_of(kitchen, door, run.say))
+            if done.plan is not None:
+                number, told = done.plan
+                again = Question(given=collection.recipe(told["recipe"]["id"]).asked(dish_type))
+                check_tree(run.output, number, told, door.answer(again, settings).outcome.to_json())
+            if done.count == count:
+                return done.code
             code = done.code
             questions = (Question(given=one.asked(dish_type)) for one in collection.recipes(dish_type, after=done.last))
             with (
@@ -104,7 +113,9 @@ def _read(output: Path) -> Iterator[Done]:
         lines = content.splitlines()
         here = done.count + len(lines)
         failed = (value_of(output, here, line) for line in lines if b'"error"' in line)
-        recipe = value_of(output, here, lines[-1])["recipe"]
+        value = value_of(output, here, lines[-1])
+        recipe = value["recipe"]
         last = recipe.get("id") if isinstance(recipe, dict) else None
-        done = Done(here, str(last or ""), end, max(done.code, *map(exit_code_of, failed), 0))
+        plan = (here, value) if last and "units" in value else done.plan
+        done = Done(here, str(last or ""), end, max(done.code, *map(exit_code_of, failed), 0), plan)
         yield done

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 from foon_kg.foon.demo import demo_folder, demo_recipes
 from foon_kg.model.errors import FoonError
+from foon_kg.planning.batch import Cook
 from foon_kg.planning.processes import _with_reason
 
 pytestmark = pytest.mark.slow
@@ -196,3 +198,45 @@ def _read(terminal):
         return os.read(terminal, 65536)
     except OSError:  # Linux says so when nobody has the other end any more
         return b""
+
+
+def test_a_file_that_was_planned_of_another_foon_is_refused_by_name(folder, lines, tmp_path):
+    output, videos = tmp_path / "plans.jsonl", tmp_path / "videos"
+    output.write_bytes(lines.stdout_bytes)
+    shutil.copytree(demo_folder(), videos)
+    last = [line for line in map(json.loads, lines.stdout.splitlines()) if "units" in line][-1]
+    for name in last["reference"]["videos"]:
+        (videos / f"{name}.txt").unlink()
+    answer = CliRunner().invoke(app, list(map(str, ["plan", folder, "--output", output, "--files", videos])))
+    assert answer.exit_code == 2
+    told = f"has another tree of {last['recipe']['id']} than this FOON, kitchen and wishes give"
+    assert told in " ".join(answer.stderr.split())
+    assert "hint: Name another file, or take this one away to begin anew." in answer.stderr
+    assert output.read_bytes() == lines.stdout_bytes
+
+
+@pytest.mark.parametrize("ending", ["", ".gz"])
+def test_of_recipes_that_were_mended_only_these_are_planned(folder, tmp_path, ending, monkeypatch):
+    mended, output = tmp_path / "recipes", tmp_path / f"plans.jsonl{ending}"
+    shutil.copytree(folder, mended)
+    (mended / "00.json").rename(mended / "99.json")  # what is mended stands first, too
+    (mended / "04.json").rename(mended / "00.json")
+    assert plan(mended, "--output", output).exit_code == 3
+    (mended / "00.json").write_text(json.dumps({"type": "salad", "ingredients": ["chopped onion", "olive oil"]}))
+    planned = []
+    monkeypatch.setattr(Cook, "answer", _noting(planned, Cook.answer))
+    answer = plan(mended, "--output", output, "--jobs", 1)
+    assert "1 recipes could not be read before, and are planned now" in " ".join(answer.stderr.split())
+    assert sorted(path.stem for path in planned) == ["00", "99"]  # and one once more, to see whether it is this FOON's
+    fresh = tmp_path / f"fresh.jsonl{ending}"
+    plan(mended, "--output", fresh, "--jobs", 1)
+    assert output.read_bytes() == fresh.read_bytes()
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(["recipes", output.name, fresh.name])
+
+
+def _noting(planned, answer):
+    def noted(cook, question, **options):
+        planned.append(question.path)
+        return answer(cook, question, **options)
+
+    return noted

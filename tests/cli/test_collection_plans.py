@@ -124,6 +124,19 @@ def test_what_another_program_learnt_is_read_whole(connection, tmp_path, monkeyp
     assert others.read_bytes() == own.read_bytes(), answer.stderr
 
 
+@pytest.mark.neo4j
+def test_a_file_of_another_kitchen_or_other_wishes_is_refused_by_name(connection, tmp_path):
+    output = tmp_path / "plans.jsonl"
+    plan("--recipes", "soup", "--output", output, "--jobs", 1)
+    written = output.read_bytes()
+    assert plan("--recipes", "soup", "--output", output).exit_code in {0, 3}
+    last = [line for line in map(json.loads, written.splitlines()) if "units" in line][-1]["recipe"]
+    answer = plan("--recipes", "soup", "--avoid", last["ingredients"][0]["object"], "--output", output)
+    told = f"has another tree of {last['id']} than this FOON, kitchen and wishes give"
+    assert (answer.exit_code, told in " ".join(answer.stderr.split())) == (2, True), answer.stderr
+    assert output.read_bytes() == written
+
+
 @contextmanager
 def cluster(folder):
     """A scheduler and two workers, each a process as on a machine of its own; its address and the workers."""
