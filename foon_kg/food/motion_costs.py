@@ -25,11 +25,20 @@ class MotionCosts:
         return bool(self.costs)
 
     def success(self, motion: str) -> Fraction:
-        """Return the success rate of ``motion``, from 0 to 1; one that has no cost has that of :data:`UNKNOWN_COST`."""
+        """Return the success rate of ``motion``, from 0 to 1; one that has no cost has that of :data:`UNKNOWN_COST`.
+
+        >>> costs = MotionCosts({"pour": 0.1})
+        >>> costs.success("pour"), costs.success("whip")
+        (Fraction(9, 10), Fraction(1, 2))
+        """
         return 1 - Fraction(repr(self.costs.get(motion, UNKNOWN_COST)))
 
     def unknown(self, motions: Iterable[str]) -> tuple[str, ...]:
-        """Return which of ``motions`` have no cost, sorted."""
+        """Return which of ``motions`` have no cost, sorted and each once.
+
+        >>> MotionCosts({"pour": 0.1}).unknown(["whip", "pour", "chop"])
+        ('chop', 'whip')
+        """
         return tuple(sorted(set(motions) - self.costs.keys()))
 
 

@@ -60,7 +60,18 @@ class Question:
     title: str | None = None
 
     def read(self, words: IngredientWords, avoided: Sequence[str] = ()) -> ReadRecipe:
-        """Return the recipe by ``words``, without what is ``avoided``; raises ReadError or UsageError."""
+        """Return the recipe as ``words`` read its foods, without what is ``avoided`` (foods, kinds, allergens).
+
+        Its notes say what had to be decided. Raises ReadError where the file cannot be read, and UsageError where the
+        words ask for nothing, or nothing is left of them.
+
+        >>> words = IngredientWords(Vocabulary((), (), ()), Kitchen.default())
+        >>> read = Question(dish_type="risotto", texts=("boiled rice", "butter")).read(words, avoided=["milk"])
+        >>> read.recipe.dish_type, read.recipe.title, [wanted.object for wanted in read.recipe.ingredients]
+        ('rice', 'risotto', ['boiled rice'])
+        >>> read.notes[-1]
+        '“butter” is left out: “milk” may be in it'
+        """
         if self.given is not None:
             read = with_states(self.given, words)
         elif self.path is not None:
@@ -72,7 +83,11 @@ class Question:
         return ReadRecipe(recipe, (*read.notes, *notes))
 
     def names(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """Return the foods that the question names, or, where it asks in words, all that may be names of foods."""
+        """For the planner alone: return the foods that are named, and of what is in words all that may name foods.
+
+        >>> Question(dish_type="salad", texts=("chopped onion",)).names()
+        ((), ('chopped onion', 'onion'))
+        """
         if self.given is not None:
             return tuple(wanted.object for wanted in self.given.ingredients), ()
         if self.path is not None:
@@ -81,7 +96,14 @@ class Question:
         return (), names_in(self.texts)
 
     def as_planned(self, words: IngredientWords, avoided: Sequence[str] = ()) -> Recipe:
-        """Return the recipe that an answer to this question names: read by ``words``, without what is ``avoided``."""
+        """Return the recipe that an answer to this question names, and :attr:`stand_in` where it cannot be read.
+
+        ``words`` and ``avoided`` are those of :meth:`read`; this raises neither ReadError nor UsageError.
+
+        >>> words = IngredientWords(Vocabulary((), (), ()), Kitchen.default())
+        >>> Question(dish_type="salad", texts=("",)).as_planned(words)
+        Recipe(dish_type='salad', ingredients=(), id=None, title=None)
+        """
         try:
             return self.read(words, avoided).recipe
         except (ReadError, UsageError):
@@ -89,7 +111,11 @@ class Question:
 
     @property
     def stand_in(self) -> Recipe:
-        """Return what is known of the recipe before it is read, or where it cannot be."""
+        """What is known of the recipe before it is read, or where it cannot be: its name, and no food where it is read.
+
+        >>> Question(Path("recipes/leek-soup.json")).stand_in
+        Recipe(dish_type='', ingredients=(), id='leek-soup', title=None)
+        """
         if self.given is not None:
             return self.given
         return Recipe(self.dish_type, (), id=None if self.path is None else name_of_file(self.path))

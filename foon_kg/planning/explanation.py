@@ -84,13 +84,22 @@ class Explanation:
 
     @property
     def reasons(self) -> tuple[str, ...]:
-        """Where the food comes from and where it joins the others, a sentence each."""
+        """Where the food comes from and where it joins the others, a sentence each; one of them where it joins nothing.
+
+        >>> Explanation(RequiredIngredient("leek", "sliced"), "made", "onion", 0.87, videos=("soup",)).reasons
+        ('is made ready as FOON makes onion in soup, 0.87 sure',)
+        """
         joins = () if self.joins is None else (str(self.joins),)
         return (_origin(self) + _renamed_so(self), *joins)
 
     @property
     def others(self) -> tuple[str, ...]:
-        """The known foods that were passed over, a sentence for each reason."""
+        """The known foods that were passed over, a sentence for each reason.
+
+        >>> leek = PassedOver("leek", "", 0.8, "less sure")
+        >>> Explanation(RequiredIngredient("chive", "chopped"), "made", "onion", 0.87, passed_over=(leek,)).others
+        ('not like leek (0.80): less sure',)
+        """
         reasons = dict.fromkeys(other.why for other in self.passed_over)
         named = {why: ", ".join(str(other) for other in self.passed_over if other.why == why) for why in reasons}
         return tuple(f"not like {names}: {why}" for why, names in named.items())

@@ -70,18 +70,43 @@ class Suggestion:
 
     @property
     def share(self) -> float:
-        """How much of what the dish takes is there (0 to 1), each food weighed with its confidence."""
+        """How much of what the dish takes is there (0 to 1), each food weighed with its confidence.
+
+        >>> from foon_kg import Foon
+        >>> from foon_kg.foon.demo import demo_folder
+
+        >>> [dish.share for dish in Foon.from_files(demo_folder()).suggest(["egg", "butter", "salt"], most=2)]
+        [1.0, 0.6]
+        """
         return round(sum(t.confidence for t in self.taken) / (len(self.taken) + len(self.missing)), 2)
 
     @property
     def rank(self) -> tuple[object, ...]:
-        """The order of suggestions, the lesser the better."""
+        """The key that suggestions are sorted by, the lesser the better.
+
+        The greatest :attr:`share` comes first, then the fewest ``assumed``, most foods of one's own, the fewest units.
+
+        >>> from foon_kg import Foon
+        >>> from foon_kg.foon.demo import demo_folder
+
+        >>> first, second = Foon.from_files(demo_folder()).suggest(["egg", "butter"], most=2)
+        >>> first.rank < second.rank
+        True
+        """
         own = len({taken.own for taken in self.taken})
         goal = self.goal
         return (-self.share, len(self.assumed), -own, self.units, goal.node.sort_key, goal.dish_type)
 
     def to_json(self) -> JsonObject:
-        """Return one of the ``suggestions`` of ``foon suggest --json``."""
+        """Return one of the ``suggestions`` of ``foon suggest --json``.
+
+        >>> from foon_kg import Foon
+        >>> from foon_kg.foon.demo import demo_folder
+
+        >>> told = Foon.from_files(demo_folder()).suggest(["egg", "butter"], most=1)[0].to_json()
+        >>> told["dish_type"], told["taken"][0], told["missing"]
+        ('omelette', {'food': 'butter', 'own': 'butter', 'confidence': 1.0}, ['salt'])
+        """
         return {
             "goal": node_to_json(self.goal.node),
             "dish_type": self.goal.dish_type,

@@ -30,9 +30,13 @@ MOST_MINOR = 2
 
 @dataclass(frozen=True)
 class Finding:
-    """One breach of ``rule``: at which step (from 0), about which nodes, and why.
+    """One breach of a rule of the contract.
 
-    ``minor``: odd, yet it can be done.
+    ``rule`` is its id (``K1``), ``reason`` says why it is broken, ``step`` at which step (from 0; ``None``: in the tree
+    as a whole) and ``nodes`` about what. ``minor``: odd, yet it can be done; without it the finding is fatal.
+
+    >>> print(Finding("K1", "the egg is raw", 4, minor=True))
+    K1 (minor) step 5: the egg is raw
     """
 
     rule: str
@@ -48,13 +52,21 @@ class Finding:
 
     @property
     def in_words(self) -> str:
-        """The finding where its level is told already: rule, step (from 1), nodes and reason."""
+        """The finding where its level (fatal or minor) is told already: rule, step (from 1), nodes and reason.
+
+        >>> Finding("K1", "it is raw", 4, (ObjectNode("egg", ("whole",)),)).in_words
+        'K1 step 5, egg (whole): it is raw'
+        """
         place = "" if self.step is None else f" step {self.step + 1}"
         about = "; ".join(map(str, self.nodes))
         return f"{self.rule}{place}{',' if place and about else ''}{' ' if about else ''}{about}: {self.reason}"
 
     def to_json(self) -> dict[str, Any]:
-        """Return the finding as JSON; ``unit`` counts from 0."""
+        """Return the finding as JSON; ``unit`` counts from 0 and is ``None`` where it is about the tree as a whole.
+
+        >>> Finding("K1", "the egg is raw", 4).to_json()
+        {'rule': 'K1', 'level': 'fatal', 'unit': 4, 'nodes': [], 'reason': 'the egg is raw'}
+        """
         return {
             "rule": self.rule,
             "level": "minor" if self.minor else "fatal",
@@ -85,45 +97,79 @@ class Report:
 
     @cached_property
     def fatal(self) -> tuple[str, ...]:
-        """The rules with at least one fatal finding, in their order."""
+        """The rules with at least one fatal finding, in their order.
+
+        >>> Report("plan", (Finding("W3", "the pan is cold"), Finding("C3", "the stove stays on"))).fatal
+        ('C3', 'W3')
+        """
         found = {finding.rule for finding in self.findings if not finding.minor}
         return tuple(rule for rule in RULES if rule in found)
 
     @cached_property
     def broken(self) -> tuple[str, ...]:
-        """The rules with any finding, minor ones too, in their order."""
+        """The rules with any finding, minor ones too, in their order.
+
+        >>> Report("plan", (Finding("W3", "the pan is cold"), Finding("K7", "chopped twice", minor=True))).broken
+        ('W3', 'K7')
+        """
         found = {finding.rule for finding in self.findings}
         return tuple(rule for rule in RULES if rule in found)
 
     @property
     def form(self) -> bool:
-        """Whether there is a tree, and it keeps C1 to C9 as far as they were asked."""
+        """Whether there is a tree, and it keeps C1 to C9 as far as they were asked.
+
+        >>> Report("plan", (Finding("C3", "the stove stays on"),)).form
+        False
+        """
         return self.played and not set(self.fatal) & set(FORM)
 
     @property
     def robot(self) -> bool:
-        """Whether a robot can carry the tree out: no fatal W, no fatal K4."""
+        """Whether a robot can carry the tree out: no fatal W, no fatal K4.
+
+        >>> Report("plan", (Finding("K1", "the egg is raw"),)).robot, Report("plan", (Finding("W3", "cold"),)).robot
+        (True, False)
+        """
         return self.played and not set(self.fatal) & ROBOT
 
     @property
     def cook(self) -> bool:
-        """Whether a cook would serve what comes of it: no fatal K and at most two minor findings that a cook sees."""
+        """Whether a cook would serve what comes of it: no fatal K and at most two minor findings that a cook sees.
+
+        >>> odd = Finding("K7", "chopped twice", minor=True)
+        >>> Report("plan", (odd,) * 2).cook, Report("plan", (odd,) * 3).cook
+        (True, False)
+        """
         minor = sum(finding.minor for finding in self.findings if finding.rule in SEEN_BY_COOKS)
         return self.played and not set(self.fatal) & COOK and minor <= MOST_MINOR
 
     @property
     def accepted(self) -> bool:
-        """Whether robot and cook both accept the tree."""
+        """Whether robot and cook both accept the tree; whether it keeps the form is not asked here (:attr:`form`).
+
+        >>> Report("plan", ()).accepted, Report("plan", (Finding("K1", "the egg is raw"),)).accepted
+        (True, False)
+        """
         return self.robot and self.cook
 
     def of(self, rules: Iterable[str]) -> tuple[Finding, ...]:
-        """Return the findings of some rules."""
+        """Return the findings of some ``rules`` (ids, in capitals), in their order here; none where all are kept.
+
+        >>> report = Report("plan", (Finding("K1", "the egg is raw", 4), Finding("W3", "the pan is cold", 2)))
+        >>> [str(finding) for finding in report.of(["W1", "W3"])]
+        ['W3 step 3: the pan is cold']
+        """
         wanted = frozenset(rules)
         return tuple(finding for finding in self.findings if finding.rule in wanted)
 
     @property
     def form_in_words(self) -> str:
-        """Whether there is a tree that keeps the form, or which of its rules are broken."""
+        """Whether there is a tree that keeps the form, or which of its rules are broken.
+
+        >>> Report("plan", (Finding("C3", "the stove stays on"),)).form_in_words
+        'form broken: C3'
+        """
         if not self.played:
             return "no tree"
         broken = [rule for rule in self.fatal if rule in FORM]
@@ -134,6 +180,9 @@ class Report:
         """Whether the tree is accepted, by robot and by cook, and keeps its form, in words.
 
         A reference tree keeps the paper's own terms, which know neither robot nor cook.
+
+        >>> Report("plan", (Finding("K1", "the egg is raw", 4),)).verdict
+        'not accepted (robot yes, cook no, form kept)'
         """
         if not self.played or not ROBOT.isdisjoint(
             rule for rule, why in self.not_asked if not why.startswith("in part")
@@ -144,7 +193,11 @@ class Report:
         return f"{said} (robot {robot}, cook {cook}, {self.form_in_words})"
 
     def lines(self) -> Iterator[str]:
-        """Yield the lines that ``foon check`` prints: the verdict, findings, notes, which rules were not asked."""
+        """Yield the lines that ``foon check`` prints: the verdict, findings, notes, which rules were not asked.
+
+        >>> list(Report("plan", (), notes=("free foods that nobody asked for: oil",)).lines())[1:]
+        ['  free foods that nobody asked for: oil']
+        """
         yield f"{self.name}: {self.verdict}"
         for level, minor in (("fatal", False), ("minor", True)):
             findings = [finding for finding in self.findings if finding.minor is minor]
@@ -167,7 +220,11 @@ class Report:
         return "\n".join(self.lines())
 
     def to_json(self) -> dict[str, Any]:
-        """Return the report as JSON."""
+        """Return the report as ``foon check --json`` prints it: verdicts, findings, rules not asked and notes.
+
+        >>> {name: told for name, told in Report("plan", ()).to_json().items() if told}
+        {'name': 'plan', 'accepted': True, 'robot': True, 'cook': True, 'form': True}
+        """
         return {
             "name": self.name,
             "accepted": self.accepted,

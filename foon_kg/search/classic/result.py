@@ -67,23 +67,55 @@ class RetrievalResult:
 
     @property
     def success(self) -> Fraction | None:
-        """The product of the success rates of the units, ``None`` without weights."""
+        """The product of the success rates of the units, from 0 to 1, exactly; ``None`` where no weights were asked.
+
+        >>> from foon_kg import Foon
+        >>> from foon_kg.foon.demo import demo_folder
+
+        >>> found = Foon.from_files(demo_folder()).retrieve("lemonade", costs=MotionCosts({"pour": 0.1, "stir": 0}))
+        >>> found.success, found.assumed[:3]
+        (Fraction(9, 1280), ('cut', 'fill', 'pick-and-place'))
+        """
         rates = [unit.success for unit in self.units if unit.success is not None]
         return math.prod(rates, start=Fraction(1)) if len(rates) == len(self.units) else None
 
     @property
     def costs(self) -> MotionCosts:
-        """The weights of its motions, as far as they are known."""
+        """The costs of its motions (0 to 1), as far as the weights of the question named them.
+
+        >>> from foon_kg import Foon
+        >>> from foon_kg.foon.demo import demo_folder
+
+        >>> asked = MotionCosts({"pour": 0.1, "whip": 0.9})
+        >>> Foon.from_files(demo_folder()).retrieve("lemonade", costs=asked).costs
+        MotionCosts(costs={'pour': 0.1})
+        """
         rates = {step.known.unit.motion: step.success for step in self.units if step.success is not None}
         return MotionCosts({motion: float(1 - rate) for motion, rate in rates.items() if motion not in self.assumed})
 
     @property
     def kitchen(self) -> tuple[ObjectNode, ...]:
-        """What has to be there before the first step, in the order of first use."""
+        """What has to be there before the first step, in the order of first use.
+
+        >>> from foon_kg import Foon
+        >>> from foon_kg.foon.demo import demo_folder
+
+        >>> found = Foon.from_files(demo_folder()).retrieve("lemonade")
+        >>> [str(node) for node in found.kitchen[:2]]
+        ['faucet (off)', 'water (liquid; from faucet)']
+        """
         return leaves_of(step.known.unit for step in self.units)
 
     def to_json(self) -> JsonObject:
-        """Return the result as ``foon retrieve --json`` prints it."""
+        """Return the result as ``foon retrieve --json`` prints it.
+
+        >>> from foon_kg import Foon
+        >>> from foon_kg.foon.demo import demo_folder
+
+        >>> told = Foon.from_files(demo_folder()).retrieve("lemonade").to_json()
+        >>> told["total_units"], told["success"], told["exact"]
+        (9, None, True)
+        """
         return {
             "asked": self.sought.to_json(),
             "goal": node_to_json(self.goal),
@@ -104,6 +136,13 @@ class RetrievalResult:
         """Return the result of a ``value`` that :meth:`to_json` wrote; raises ReadError for any other.
 
         ``where`` names the document in messages.
+
+        >>> from foon_kg import Foon
+        >>> from foon_kg.foon.demo import demo_folder
+
+        >>> found = Foon.from_files(demo_folder()).retrieve("lemonade")
+        >>> RetrievalResult.from_json(found.to_json()) == found
+        True
         """
         fields = Fields(value, where)
         return cls(
@@ -116,7 +155,15 @@ class RetrievalResult:
         )
 
     def to_subgraph(self) -> Subgraph:
-        """Return the tree as a subgraph, for FOON text: no other end product than the goal is marked in it."""
+        """Return the tree as a subgraph, for FOON text: no other end product than the goal is marked in it.
+
+        >>> from foon_kg import Foon
+        >>> from foon_kg.foon.demo import demo_folder
+
+        >>> subgraph = Foon.from_files(demo_folder()).retrieve("lemonade").to_subgraph()
+        >>> subgraph.name, len(subgraph.annotations), subgraph.annotations[-1].unit.motion
+        ('lemonade', 9, 'stir')
+        """
         last = len(self.units) - 1
         units = [
             Annotation(_marked(step.known.unit, self.goal if place == last else None), seen_in=step.known.seen_in)
