@@ -89,7 +89,7 @@ def test_fruit_that_is_flamed_is_heated_with_the_spirits_and_served_with_the_ice
 
 @pytest.mark.parametrize(
     ("food", "state"),
-    [("pineapple", "chunks"), ("bell pepper", "chunks"), ("broccoli", "florets"), ("onion", "rings")],
+    [("pineapple", "chunks"), ("bell pepper", "chunks"), ("broccoli", "florets"), ("onion", "ring shaped")],
 )
 def test_the_forms_into_which_foods_are_cut_are_made_with_a_knife(steps, food, state):
     told = steps("stir-fry", "Stir Fry", f"{food}:{state}", "chicken breast:cubed", "soy sauce:liquid", "oil:liquid")
@@ -171,3 +171,47 @@ def test_dumplings_for_which_nothing_wet_is_asked_get_water(steps):
                  "self-raising flour:powder:dumplings", "suet:grated:dumplings")  # fmt: skip
     mixed = next(inputs for inputs, motion, _ in told if motion == "mix" and "self-raising flour" in inputs)
     assert "water" in mixed
+
+
+def test_balls_that_the_title_poaches_simmer_in_their_sauce_which_is_bound_at_last(steps):
+    told = steps("meatball", "Königsberger Klopse", "ground veal:raw:meatballs", "bread:soaked:meatballs",
+                 "egg:uncooked:meatballs", "beef stock:liquid:sauce", "butter:unmelted:sauce", "flour:powder:sauce",
+                 "cream:creamy:sauce", "egg yolk:uncooked:sauce")  # fmt: skip
+    assert "flip" not in motions(told)
+    assert first(told, "meatballs", "simmer") < max(
+        n for n, motion in enumerate(motions(told)) if motion == "cook and stir"
+    )
+    assert first(told, "egg yolk", "whisk") == first(told, "cream", "whisk")
+
+
+def test_a_tough_joint_simmers_by_itself_before_the_rice_joins(steps):
+    told = steps("rice", "Baghali Polo", "lamb shanks:raw", "onion:chopped", "basmati rice:soaked", "oil:liquid")
+    simmered = [inputs for inputs, motion, _ in told if motion == "simmer"]
+    assert {"lamb shanks", "water"} <= simmered[0]
+    assert "basmati rice" not in simmered[0]
+    assert "basmati rice" in simmered[1]
+
+
+def test_vegetables_that_simmer_with_no_liquid_but_fat_get_water(steps):
+    told = steps("vegetables", "Avial", "plantain:cut", "carrot:cut", "coconut:grated", "cumin seeds:whole",
+                 "coconut oil:liquid", "salt:granulated")  # fmt: skip
+    assert "water" in next(inputs for inputs, motion, _ in told if motion == "simmer")
+
+
+@pytest.mark.parametrize("root", ["beet:sliced", "rutabaga:cubed"])
+def test_a_root_that_stays_hard_in_a_pan_is_boiled_first(steps, root):
+    told = steps("vegetables", "-", root, "butter:unmelted", "salt:granulated")
+    food = root.split(":")[0]
+    assert next(motion for inputs, motion, _ in told if {food, "stove"} <= inputs) in {"boil", "cook", "simmer"}
+    assert "water" in set().union(*(inputs for inputs, _, _ in told))
+
+
+def test_a_root_that_is_grated_is_only_fried(steps):
+    told = steps("vegetables", "-", "beet:grated", "butter:unmelted", "salt:granulated")
+    assert "water" not in set().union(*(inputs for inputs, _, _ in told))
+
+
+def test_dry_pulses_are_boiled_before_they_meet_what_is_sour(steps):
+    told = steps("sausage", "-", "sausage:raw", "lentils:dried", "red wine:liquid", "tomato paste:paste", "onion:diced")
+    drained = next(place for place, (inputs, _, _) in enumerate(told) if {"lentils", "strainer"} <= inputs)
+    assert drained < min(place for place, (inputs, _, _) in enumerate(told) if "red wine" in inputs)

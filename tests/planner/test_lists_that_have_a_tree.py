@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from planner.told_steps import first, inside, motions
+from planner.told_steps import first, inside, motions, taking
 
 pytestmark = pytest.mark.shared_data
 
@@ -11,7 +11,7 @@ pytestmark = pytest.mark.shared_data
 def test_what_was_marinated_is_in_the_rice_that_is_called_as_the_grain_is(steps):
     told = steps("rice", "", "rice:grain", "lamb:pieces", "onion:sliced", "yogurt:creamy", "ginger:minced",
                  "cinnamon:whole", "saffron:ground", "milk:juice", "ghee:ground", "salt:ground")  # fmt: skip
-    assert inside(told, "simmer") >= {"rice", "saffron"}
+    assert taking(told, "simmer") >= {"rice", "saffron"}
     assert "cinnamon" in inside(told, "stir")
 
 

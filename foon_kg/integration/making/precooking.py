@@ -9,7 +9,7 @@ from collections.abc import Collection, Sequence, Set
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.food.rows import POWDER
+from foon_kg.food.rows import CHOPPED, POWDER
 from foon_kg.integration.bench import Bench
 from foon_kg.integration.composing.coated import is_portion
 from foon_kg.integration.joining.course import MIXES, Course
@@ -44,6 +44,12 @@ class Precooking:
         What is asked outright comes before what the dish would do, that before what its video shows, and that before
         what is usual for its kind.
         """
+        if self._is_dense(join.want) and self._is_only_fried(join.spot):
+            return _IN_WATER
+        return self._by_what_is_due(join)
+
+    def _by_what_is_due(self, join: Join) -> tuple[str, ...]:
+        """Return how a food is cooked by itself before that gets soft where it joins, or is asked done."""
         want, due = join.want, self._due(join.want)
         if not (due or want.cooked):
             return self._warming(join)
@@ -89,6 +95,12 @@ class Precooking:
         boiled = want.make in word_list("is so by boiling")
         return (peeled or boiled or 0 < fine < POWDER) and self.pours(want)
 
+    def _is_dense(self, want: Want) -> bool:
+        """Whether a raw food stays hard in a pan, however it was cut, unless it is grated."""
+        fine = self.known.state(want.make).fineness if want.make else 0
+        dense = want.facts.is_any(word_list("stays hard in the pan"))
+        return dense and not want.cooked and fine <= CHOPPED
+
     def _is_thick(self, want: Want) -> bool:
         """Whether a food is asked in such large pieces that it takes very long in a pan."""
         halved = bool(want.make) and self.known.state(want.make).fine == 1
@@ -108,8 +120,8 @@ class Precooking:
             return self._to_be_divided(want)
         if self._is_thick(want) and self._comes_into_a_pan(join.spot):
             return _IN_WATER  # it would be brown outside and raw within
-        if isinstance(stage, Phase) and self._takes_longer(want):
-            return _IN_WATER  # the grain would be mush when it is done
+        if isinstance(stage, Phase) and self._is_done_late(want):
+            return _IN_WATER
         return _IN_A_PAN if self._is_fried_first(join) else ()
 
     def _to_be_divided(self, want: Want) -> tuple[str, ...]:
@@ -132,6 +144,12 @@ class Precooking:
         first = next((stage for stage in _stages(spot) if stage.heats), None)
         return first is not None and "dry" not in first.does and not self.course.has_liquid([first])
 
+    def _is_only_fried(self, spot: Spot) -> bool:
+        """Whether what joins there comes into a pan, and into no liquid after that."""
+        hot = [stage for stage in _stages(spot) if stage.heats]
+        wet = any("liquid" in stage.does or "dry" in stage.does or self.course.has_liquid([stage]) for stage in hot)
+        return not (wet or self.plan.spooned or self.plan.one_pot) and self._comes_into_a_pan(spot)
+
     def _takes_longer(self, want: Want) -> bool:
         """Whether pulses are asked beside grain that is done long before them; in a soup they have all the time."""
         slow = word_list("takes longer than the rest")
@@ -139,6 +157,18 @@ class Precooking:
             return False
         others = (join.want.facts for join in self.plan.joins if not join.want.facts.is_any(slow))
         return any(facts.is_any(word_list("is toasted")) for facts in others)
+
+    def _is_done_late(self, want: Want) -> bool:
+        """Whether a food would be hard when the rest is done, or the rest, as grain, mush when it is done."""
+        return self._takes_longer(want) or self._is_kept_hard(want)
+
+    def _is_kept_hard(self, want: Want) -> bool:
+        """Whether dry pulses are asked for a pan beside something sour, in which they would not get soft."""
+        if self.plan.spooned or self.plan.one_pot or "boil" not in want.facts.owes:
+            return False
+        others = (join.want.facts for join in self.plan.joins)
+        pulse = want.facts.is_any(word_list("takes longer than the rest"))
+        return pulse and any(facts.is_any(word_list("keeps pulses hard")) for facts in others)
 
     def _is_fried_first(self, join: Join) -> bool:
         return self._is_fried_whole(join) or self._is_fried_before_it_is_mixed(join)

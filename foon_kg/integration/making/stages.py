@@ -186,7 +186,8 @@ class Stages:
         if BATH not in free and self._is_asked("water"):
             return False
         if THINNED in free:
-            return not any(join.want.facts.is_a("liquid", "creamy", "egg") for join in self._joins_of(stage))
+            wets = [join.want.facts for join in self._joins_of(stage) if not join.want.facts.is_a("fat")]
+            return not any(facts.is_a("liquid", "creamy", "egg") for facts in wets)
         return isinstance(stage, Phase) or self._is_wetted(stage)
 
     def _is_wetted(self, stage: Stage) -> bool:

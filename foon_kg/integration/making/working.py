@@ -121,15 +121,24 @@ class Worker:
         clinging = self._fat_that_clings(stuffs) if heats else []
 
         def change() -> None:
+            before = [stuff.states for stuff in stuffs]
             for stuff in stuffs:
                 if clinging and stuff.mixed:
                     stuff.foods = tuple(sorted({*stuff.foods, *(fat.label for fat in clinging)}))
                     stuff.wants |= frozenset().union(*(fat.wants for fat in clinging))
                 if not self._stays_as_it_is(stuff):
                     stuff.states = self._worked(stuff, states, over_heat=device is not None)
+            if heats and [stuff.states for stuff in stuffs] == before:
+                self._bring_to_the_boil(stuffs)
             vessel.hot = attested.way[0] not in word_list("cools") and (vessel.hot or heats)
 
         self.bench.emit(attested, [vessel, *([(device, vessel)] if device else []), *stuffs], change, [vessel, *stuffs])
+
+    def _bring_to_the_boil(self, stuffs: Sequence[Stuff]) -> None:
+        """Have the water among ``stuffs`` boil, where all the rest was fried before and is as it was."""
+        for stuff in stuffs:
+            if not stuff.mixed and self.known.foods.food(stuff.label).is_a("water"):
+                stuff.states = tuple(sorted({*stuff.states, "boiling"}))
 
     def _stays_as_it_is(self, stuff: Stuff) -> bool:
         """Whether it is water, however long it boils, or liquid fat, whatever is fried in it."""
