@@ -144,10 +144,14 @@ def _too_few(tree: TaskTree, kitchen: Kitchen) -> Iterator[Finding]:
         yield Finding("C6", f"{needed} are needed, and the kitchen that was named has {there}", None, (leaf,))
 
 
+_SAME_WISHES = "C9 takes plans of one recipe for asked in one kitchen and with the same wishes, which they do not tell"
+
+
 def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report]) -> Iterator[Report]:
     """Yield the reports in their order, with what C9 says of several trees for one recipe: the first is the measure.
 
-    That they were asked with the same wishes is assumed, since a tree does not tell them.
+    That they were asked in the same kitchen and with the same wishes is assumed, since a plan does not tell these: a
+    note says so where two differ.
     """
     from foon_kg.validation import repeatable
 
@@ -167,8 +171,9 @@ def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report
             yield report
             continue
         not_asked = tuple((rule, why) for rule, why in report.not_asked if rule != "C9")
-        findings = (*report.findings, *repeatable([earlier, document.value]))
-        yield replace(report, findings=findings, not_asked=not_asked)
+        differing = repeatable([earlier, document.value])
+        notes = (*report.notes, _SAME_WISHES) if differing else report.notes
+        yield replace(report, findings=(*report.findings, *differing), not_asked=not_asked, notes=notes)
 
 
 def _show(report: Report, *, as_json: bool) -> None:

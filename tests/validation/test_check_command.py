@@ -155,7 +155,9 @@ def test_different_trees_for_one_recipe(check):
         "r1: accepted (robot yes, cook yes, form broken: C9)",
         "  fatal:",
         "    C9: answer 1 differs from the first in reference.overlap",
+        "  C9 takes plans of one recipe for asked in one kitchen and with the same wishes, which they do not tell",
     ]
+    assert "wishes" not in check("\n".join(map(json.dumps, [salad(), salad()]))).stdout
     nobody_asked = [{key: value for key, value in one.items() if key != "recipe"} for one in (salad(), other)]
     assert "C9" not in check("\n".join(map(json.dumps, nobody_asked))).stdout
     answers = check("\n".join(map(json.dumps, [salad(), salad()])), "--json").stdout.splitlines()
