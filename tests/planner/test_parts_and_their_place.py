@@ -105,3 +105,16 @@ def test_what_is_stirred_cold_for_patties_is_ready_when_they_come_out_of_the_pan
     patties = ("ground lamb:raw", "salt:granulated", "oil:liquid", "burger buns:whole")
     told = steps("burger", "Lamb burgers", *patties, *_under_heading((*sauce, "lemon juice:juice"), "sauce"))
     assert motions(told).index("stir") < motions(told).index("flip")
+
+
+def test_flat_dough_is_fried_in_some_of_the_fat_that_is_in_it(steps):
+    dough = ("all-purpose flour:powder", "yeast:dry", "milk:warm", "yogurt:plain", "sugar:granulated")
+    told = steps("bread", "Soft naan", *dough, "ghee:melted", "salt:granulated")
+    assert "ghee" in next(things for things, motion, _ in told if motion == "cook" and "dough" in things)
+
+
+def test_eggs_for_a_sandwich_are_fried_in_fat_that_is_asked_for_its_sauce(steps):
+    told = steps("sandwich", "Francesinha", "white bread:loaf", "beef steaks:raw", "ham:cooked", "cheese:block",
+                 "eggs:whole", "onion:chopped:sauce", "beer:liquid:sauce", "butter:unmelted:sauce")  # fmt: skip
+    pan = next(things for things, motion, _ in told if motion == "cook" and "eggs" in things)
+    assert "butter" in pan

@@ -68,10 +68,13 @@ class Adding:
         )
 
     def _is_fried_in_own(self, stage: Stage, vessel: Vessel, ordered: Sequence[Join | Vessel]) -> bool:
-        """Whether fat of the household came into a pan for what is fried there, where nobody asked for any."""
+        """Whether fat came into a pan for what is fried there: of the household's, or some that is asked elsewhere."""
         if "heat" not in stage.does or not stage.does.isdisjoint({"dry", "liquid"}):
             return False
-        return self.frying.add_fat(vessel, [stuff for one in ordered for stuff in self._stuffs(one)])
+        comes = [stuff for one in ordered for stuff in self._stuffs(one)]
+        if self.frying.add_fat(vessel, comes):
+            return True
+        return self.frying.keeps_dry(vessel, comes) and self.carry.add_fat(vessel, self.plan)
 
     def _stuffs(self, one: Join | Vessel) -> list[Stuff]:
         """Return what comes with a food or another vessel."""

@@ -291,7 +291,7 @@ class Frying:
     def add_fat(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
         """Bring some fat of the household into a ``pan`` for what ``comes`` into it; return whether that was due."""
         fat = self.plan.fat
-        if fat is None or self.plan.drunk or pan.contents or not self._is_dry(pan, comes):
+        if fat is None or not self.is_due(pan, comes):
             return False
         runs = form_of(self.known, fat.label, fat.leaf) == "liquid"
         poured = self.bench.near_or_far([("pour", ())], fat.names) if runs else None
@@ -302,6 +302,17 @@ class Frying:
         way = poured or Bringing(self.bench).way(Transport.of(Ready(fat, taken), pan))
         self.bench.bring([taken], pan, way)
         return True
+
+    def is_due(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
+        """Return whether fat is due in a ``pan`` for what ``comes`` into it."""
+        return not self.plan.drunk and not pan.contents and self._is_dry(pan, comes)
+
+    def keeps_dry(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
+        """Return whether what ``comes``, foods or what was shaped of some, fries dry in a ``pan``, and gives no fat."""
+        mixed = any(stuff.mixed and not says(stuff.states, "keeps its shape") for stuff in comes)
+        foods = (self.known.foods.food(food) for stuff in comes for food in stuff.foods)
+        greasy = any(food.is_any(word_list("brings fat to the pan")) and not food.is_a("fat") for food in foods)
+        return self.is_due(pan, comes) and not mixed and not greasy
 
     def _is_dry(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
         """Whether something of what ``comes`` would burn in a ``pan``, and nothing wets that or has fat of its own."""
