@@ -244,3 +244,25 @@ def test_flesh_comes_off_its_bones_before_it_is_pulled_apart(steps, food, boned)
     told = motions(steps("sandwich", "Pulled Chicken Sandwich", food, "barbecue sauce:sauce", "bun:whole"))
     assert "pull apart" in told
     assert ("bone" in told[: told.index("pull apart")]) is boned
+
+
+def test_what_runs_is_stirred_and_what_is_in_pieces_muddled(steps):
+    assert "mash" not in motions(steps("drinks", "", "tequila:liquid", "lime juice:liquid", "agave nectar:syrup"))
+    told = steps("drinks", "Mojito", "mint:leaves", "lime:wedges", "sugar:granulated", "rum:liquid", "soda:liquid")
+    assert first(told, "mint", "mash") < len(told) - 1
+
+
+def test_what_is_mashed_for_the_table_lies_in_no_glass(steps):
+    told = steps("burger", "", "ground turkey:raw", "avocado:mashed", "bun:whole", "lettuce:leaves")
+    assert not {"highball glass", "muddler"} & told[first(told, "avocado", "mash")][0]
+
+
+def test_mussels_in_their_liquid_are_poured_though_there_is_bacon_in_it(steps):
+    told = steps("seafood", "", "mussel:whole", "cider:liquid", "bacon:diced", "shallot:chopped", "cream:liquid")
+    assert all("turner" not in inputs for inputs, _, _ in told)
+
+
+def test_rubbed_sage_is_strewn_and_never_taken_out_again(steps):
+    told = steps("sausage", "Breakfast Sausage Patties", "ground pork:raw", "sage:rubbed", "salt:granulated")
+    assert "sage" not in lifted(told)
+    assert first(told, "sage", "sprinkle") < len(told) - 1

@@ -171,10 +171,15 @@ def is_uncut(stuff: Stuff, known: Tables) -> bool:
 
 def _is_cut_in_liquid(foods: Sequence[Food]) -> bool:
     """Whether foods are in a liquid that stays so, or in milk that makes no crust, or all flesh comes in mouthfuls."""
-    flesh = (food for food in foods if food.is_any(word_list("is coated")))
     dairy = any(food.kind in word_list("is a sauce around flesh") for food in foods)
     braised = _is_in_liquid(foods) or (dairy and not any(food.is_any(_BINDS) for food in foods))
-    return braised or all(food.is_any(word_list("is a mouthful")) for food in flesh)
+    return braised or _comes_in_mouthfuls([food for food in foods if food.is_any(word_list("is coated"))])
+
+
+def _comes_in_mouthfuls(flesh: Sequence[Food]) -> bool:
+    """Whether all ``flesh`` does, whatever is cut small beside it."""
+    main = [food for food in flesh if not food.is_any(word_list("is cut small beside flesh"))]
+    return all(food.is_any(word_list("is a mouthful")) for food in main or flesh)
 
 
 def _is_breaded(stuff: Stuff, known: Tables) -> bool:

@@ -261,7 +261,8 @@ class Stages:
 
     def _is_done_again(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
         following = self._next(later, vessel)
-        return following is not None and self._goes_on(stage, following)
+        goes_on = following is not None and self._goes_on(stage, following)
+        return goes_on or _mashes_what_runs(stage, vessel, later, self.known)
 
     def _gets_hot_later(self, foods: Sequence[Food], later: Sequence[Stage]) -> bool:
         """Whether foods that are only made hot are so by a later stage, and what comes next need not find them hot."""
@@ -375,3 +376,14 @@ def _is_dry_phase(stage: Stage) -> bool:
 def _rises_by_nothing(stage: Stage, foods: Sequence[Food]) -> bool:
     """Whether a stage lets rise what has nothing in it that makes it rise."""
     return stage.motion in word_list("rises") and not any(f.is_any(word_list("makes dough rise")) for f in foods)
+
+
+def _mashes_what_runs(stage: Stage, vessel: Vessel, later: Sequence[Stage], known: Tables) -> bool:
+    """Whether a stage mashes what runs or dissolves in a vessel, and a ``later`` one stirs it anyway."""
+    if "mash" not in stage.does or stage.heats or not any(one.does & MIXES for one in later):
+        return False
+    return all(_dissolves(stuff, known) for stuff in vessel.contents)
+
+
+def _dissolves(stuff: Stuff, known: Tables) -> bool:
+    return not stuff.mixed and form_of(known, stuff.label, stuff.states) in {"liquid", "powder"}

@@ -125,6 +125,7 @@ class Cutter:
     def _ways_to_divide(self, state: str) -> list[Way]:
         """Return the ways of dividing by hand that give a state, those that peel only where there are no others."""
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
+        ways = _without_tools(ways, "only muddles") or ways
         return [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways
 
     def _ways_to_grate(self, ways: Sequence[Way], want: Want, state: str) -> list[Way]:
