@@ -9,7 +9,6 @@
 // column: first
 // column: otherwise
 // mode: read
-// scans: a verb has no index of its own among the units
 MATCH (:Object {label: $utensil})-[:INPUT_OF]->(m:Motion)
 WITH DISTINCT m
 WITH m.verb AS motion, collect(m) AS lost

@@ -170,27 +170,20 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     --explain is for reading and has no JSON. --enumerate is Algorithm 3 as the paper has it, beside the exact search.
     --method paper makes trees that nobody can cook from: it is there to compare foon-kg with.
     """
-    from foon_kg.cli.answering import Writing
-    from foon_kg.cli.plan_collection import CollectionRun, plan_collection
-    from foon_kg.foon import PlanSettings
-
     forms = {"--explain": explain, "--enumerate": enumerate_all, "--json": as_json, "--foon": foon}
     wishes = {"--kitchen": kitchen, "--with-drafts": with_drafts, "--substitute": substitute, "--avoid": avoid}
     _refuse(forms | wishes | {"--after": after, "--output": output, "--recipes": recipes is not None}, method)
+    settings = replace(_wished(substitute, avoid), after=after, explain=explain, method=method, with_drafts=with_drafts)
+    run = _Run(files, kitchen, jobs, dask, limit if enumerate_all else None)
     say = sayer(quiet=quiet)
-    chosen, avoided = tuple(map(_substitute, substitute or ())), tuple(avoid or ())
-    settings = PlanSettings(
-        substitutes=chosen, avoided=avoided, after=after, explain=explain, method=method, with_drafts=with_drafts
-    )
     if recipes is not None:
         _alone(wanted, recipe, dish, title)
-        _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, dask, say, quiet)))
+        _finish(_collected(recipes, settings, run, output, say, quiet=quiet))
         return
     questions = _called(_questions(wanted, dish, recipe, say), title)
     _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
-    writing = Writing(_shown_as(foon=foon, as_json=as_json), output, say, quiet)
-    run = _Run(files, kitchen, jobs, dask, limit if enumerate_all else None)
-    _finish(_answered(questions, settings, run, writing, as_json=as_json))
+    shown = _shown_as(foon=foon, as_json=as_json)
+    _finish(_answered(questions, settings, run, _writing(shown, output, say, quiet=quiet), as_json=as_json))
 
 
 @dataclass(frozen=True)
@@ -222,6 +215,29 @@ def _answered(
             return answer_all(questions, door, settings, run.jobs, writing, dask=run.dask)
         show_candidates(questions[0], door, settings, run.limit, as_json=as_json, say=writing.say)
         return 0
+
+
+def _collected(which: str, settings: PlanSettings, run: _Run, output: Path | None, say: Say, *, quiet: bool) -> int:
+    """Plan the recipes of the graph that are ``which`` into ``output``; return the exit code."""
+    from foon_kg.cli.plan_collection import CollectionRun, plan_collection
+
+    return plan_collection(
+        which, run.kitchen, settings, CollectionRun(output, run.files, run.jobs, run.dask, say, quiet)
+    )
+
+
+def _writing(show: Show, output: Path | None, say: Say, *, quiet: bool) -> Writing:
+    """Return where answers go."""
+    from foon_kg.cli.answering import Writing
+
+    return Writing(show, output, say, quiet)
+
+
+def _wished(substitute: Sequence[str] | None, avoid: Sequence[str] | None) -> PlanSettings:
+    """Return the settings of who wishes so: what stands for what, and what is left out."""
+    from foon_kg.foon import PlanSettings
+
+    return PlanSettings(substitutes=tuple(map(_substitute, substitute or ())), avoided=tuple(avoid or ()))
 
 
 def _finish(code: int) -> None:

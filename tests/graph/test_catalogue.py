@@ -8,7 +8,7 @@ from pathlib import Path
 import neo4j
 import pytest
 
-from foon_kg.cypher import catalogue, read_query, schema_steps
+from foon_kg.cypher import catalogue, explore_queries, read_query, schema_steps
 from foon_kg.store.graph import statements
 from foon_kg.store.graph.statements import Statement
 
@@ -57,6 +57,13 @@ def code_of(query):
 @every_query
 def test_it_compiles_on_neo4j(session, query, language):
     assert explained(session, query, language)[1].query_type in {"r", "w", "rw", "s"}
+
+
+@pytest.mark.neo4j
+def test_named_questions_that_say_why_they_scan_do(session):
+    told = [query for query in explore_queries() if query.scans]
+    plans = {query.name: set(operators(explained(session, query)[1].plan)) for query in told}
+    assert [name for name, plan in plans.items() if not any("Scan" in operator for operator in plan)] == []
 
 
 @pytest.mark.neo4j
