@@ -59,6 +59,8 @@ class Kitchen:
     >>> kitchen = Kitchen.default()
     >>> kitchen.is_utensil("frying pans"), kitchen.is_start_state("onion", "chopped")
     (True, False)
+    >>> kitchen.food_names, kitchen.made_so("onion"), kitchen.stands_as("onion", ["whole"]), kitchen.short_of([])
+    ((), (), (), ())
     """
 
     utensils: frozenset[str]
@@ -101,56 +103,85 @@ class Kitchen:
         return replace(self, utensils=self.utensils | fresh, storage=self.storage | keep_food)
 
     def with_every_food(self) -> Kitchen:
-        """Return the kitchen in which every food that shops sell is at hand."""
+        """Return the kitchen in which every food that shops sell is at hand: this one."""
         return self
 
     @property
     def food_names(self) -> tuple[str, ...]:
-        """The foods that a person named as being at hand, sorted; free foods apart."""
+        """The foods that a person named as being at hand, sorted; free foods apart. None where nobody named any."""
         return ()
 
     def lacks(self, _: ObjectNode) -> bool:
-        """Whether a leaf is missing from what a person named as being at hand; never where nobody named anything."""
+        """Whether a leaf is missing from what a person named as being at hand; never where nobody named anything.
+
+        >>> Kitchen.default().lacks(ObjectNode("truffle"))
+        False
+        """
         return False
 
     def stands_ready(self, _food: str, _state: str) -> bool:
-        """Whether a person named a food as being at hand in a state that otherwise somebody would have to make."""
+        """Whether a person named a food as being at hand in a state that otherwise somebody would have to make.
+
+        >>> Kitchen.default().stands_ready("onion", "chopped")
+        False
+        """
         return False
 
     def ready_in(self, _food: str, _state: str) -> str | None:
-        """Return in what a ``_food`` in a ``_state`` stands ready (``""``: it lies free).
+        """For the planner: return in what a ``_food`` stands ready in a ``_state`` (``""``: it lies free), or ``None``.
 
-        ``None`` where it does not.
+        >>> Kitchen.default().ready_in("onion", "chopped") is None
+        True
         """
         return None
 
     def lies_in(self, _food: str, _states: Collection[str]) -> str | None:
-        """Return the vessel in which a person named a food, and not free: out of that it is taken."""
+        """For the planner: return the vessel in which a person named a ``_food`` in ``_states``, else ``None``.
+
+        >>> Kitchen.default().lies_in("onion", ["chopped"]) is None
+        True
+        """
         return None
 
     def stands_as(self, _food: str, _states: Collection[str]) -> tuple[str, ...]:
-        """Return the states in which a person named a food that is not there in ``_states``, and is in one piece."""
+        """For the planner: return the states of a ``_food`` in one piece that a person named, not in ``_states``."""
         return ()
 
     def made_so(self, _food: str) -> tuple[str, ...]:
-        """Return the states beyond those of shops in which alone a person named a food; none where nobody did."""
+        """For the planner: return the states beyond those of shops in which alone a person named a ``_food``."""
         return ()
 
     @property
     def found_on(self) -> Mapping[str, tuple[str, ...]]:
-        """The states of the appliances, by name, that give heat already, as a person said."""
+        """The states of the appliances, by name, that give heat already, as a person said; none where nobody did.
+
+        >>> Kitchen.default().found_on
+        {}
+        """
         return {}
 
     def names_so(self, _: ObjectNode) -> bool:
-        """Whether a person said of a thing that it is so: in which state, where, or with which contents."""
+        """Whether a person said of a thing that it is so: in which state, where, or with which contents.
+
+        >>> Kitchen.default().names_so(ObjectNode("onion", ("chopped",)))
+        False
+        """
         return False
 
     def otherwise(self, _: ObjectNode) -> tuple[ObjectNode, ...]:
-        """Return the things at hand that are called like a missing one, and are otherwise."""
+        """Return the things at hand that are called like a missing one, and are otherwise; none where none is missing.
+
+        >>> Kitchen.default().otherwise(ObjectNode("onion", ("chopped",)))
+        ()
+        """
         return ()
 
     def lacking(self, leaves: Iterable[ObjectNode], units: Iterable[TreeUnit]) -> list[ObjectNode]:
-        """Return the ``leaves`` of the tree of ``units`` that are not at hand, or not as often as it needs them."""
+        """Return the ``leaves`` of the tree of ``units`` that are not at hand, or not as often as it needs them.
+
+        >>> Kitchen.default().lacking([ObjectNode("truffle"), ObjectNode("wok")], [])
+        []
+        """
         few = {short.leaf for short in self.short_of(units)}
         return [leaf for leaf in leaves if leaf in few or self.lacks(leaf)]
 
@@ -159,19 +190,35 @@ class Kitchen:
         return ()
 
     def is_utensil(self, label: str) -> bool:
-        """Whether ``label`` names a utensil, device, wrap or place; everything else is food."""
+        """Whether ``label`` names a utensil, appliance, wrap or place; everything else is food.
+
+        >>> Kitchen.default().is_utensil("Bowls"), Kitchen.default().is_utensil("onion")
+        (True, False)
+        """
         return singular(label) in self.utensils
 
     def is_food(self, node: ObjectNode) -> bool:
-        """Whether ``node`` is a food or a mixture of foods."""
+        """Whether ``node`` is a food or a mixture of foods.
+
+        >>> Kitchen.default().is_food(ObjectNode("egg mixture", container="bowl"))
+        True
+        """
         return not self.is_utensil(node.label)
 
     def is_storage(self, label: str) -> bool:
-        """Whether ``label`` is a utensil in which food is sold: a tin can, a pepper mill."""
+        """Whether ``label`` is a utensil in which food is sold: a tin can, a pepper mill.
+
+        >>> Kitchen.default().is_storage("pepper mill"), Kitchen.default().is_storage("bowl")
+        (True, False)
+        """
         return self.is_utensil(label) and singular(label) in self.storage
 
     def is_free(self, label: str) -> bool:
-        """Whether the food ``label`` may be used without having been asked for (C5)."""
+        """Whether the food ``label`` may be used without having been asked for (C5).
+
+        >>> Kitchen.default().is_free("water"), Kitchen.default().is_free("salt")
+        (True, False)
+        """
         return folded(label) in self.free_foods
 
     def is_start_state(self, label: str, state: str) -> bool:
@@ -180,6 +227,9 @@ class Kitchen:
         A state that only some foods are sold in counts where *any* word of the label names one of them: black pepper
         is sold ground because pepper is, and so are ground beef and garlic powder. A place that the loader kept as a
         state (``on [stem]``) is no state of the food and counts as a start.
+
+        >>> [Kitchen.default().is_start_state(food, "ground") for food in ("black pepper", "leek")]
+        [True, False]
         """
         state = folded(state)
         if state in self.start_states or is_place(state):
@@ -187,19 +237,35 @@ class Kitchen:
         return not self.sold_so.get(state, frozenset()).isdisjoint(words(label))
 
     def processed_states(self, node: ObjectNode) -> tuple[str, ...]:
-        """Return the states of a food node that somebody made: all but the start states."""
+        """Return the states of a food node that somebody made: all but the start states.
+
+        >>> Kitchen.default().processed_states(ObjectNode("onion", ("whole", "peeled")))
+        ('peeled',)
+        """
         return tuple(state for state in node.states if not self.is_start_state(node.label, state))
 
     def at_rest(self, node: ObjectNode) -> bool:
-        """Whether a utensil node is off, cold, clean, open or closed, or has no state; a fridge may be on."""
+        """Whether a utensil node is off, cold, clean, open or closed, or has no state; a fridge may be on.
+
+        >>> [Kitchen.default().at_rest(ObjectNode("oven", (state,))) for state in ("off", "on")]
+        [True, False]
+        """
         return all(self._rests(node.label, state) for state in node.states)
 
     def is_running(self, node: ObjectNode) -> bool:
-        """Whether a utensil node is on or hot; the fridge always is and does not count."""
+        """Whether a utensil node is on or hot; the fridge always is and does not count.
+
+        >>> [Kitchen.default().is_running(ObjectNode(name, ("on",))) for name in ("oven", "fridge")]
+        [True, False]
+        """
         return singular(node.label) not in self.always_on and any(folded(s) in self.running_states for s in node.states)
 
     def foods_in(self, node: ObjectNode) -> tuple[str, ...]:
-        """Return the ingredients of ``node`` that are foods (``potato contains {packet}`` holds none)."""
+        """Return the ingredients of ``node`` that are foods (``potato contains {packet}`` holds none).
+
+        >>> Kitchen.default().foods_in(ObjectNode("bowl", (), ("onion", "spoon")))
+        ('onion',)
+        """
         return tuple(name for name in node.ingredients if not self.is_utensil(name))
 
     def is_mixture(self, node: ObjectNode) -> bool:
@@ -207,6 +273,9 @@ class Kitchen:
 
         ``egg mixture`` and ``broth {chicken broth, flour}`` are; ``olive oil {olive oil}`` is not. A food whose name
         shares a word with its only ingredient (chicken broth, broth) is the same food in other words.
+
+        >>> [Kitchen.default().is_mixture(ObjectNode("broth", (), (of,))) for of in ("chicken broth", "onion")]
+        [False, True]
         """
         if "mixture" in words(node.label):
             return True
@@ -218,6 +287,9 @@ class Kitchen:
 
         It has utensils at rest, wherever they stand, empty, or storage that holds one food; and foods in start states
         only (no state is a start), no mixtures, that have no place or lie in storage.
+
+        >>> [Kitchen.default().has(ObjectNode("onion", (state,))) for state in ("whole", "chopped")]
+        [True, False]
         """
         if self.is_utensil(node.label):
             foods = self.foods_in(node)
@@ -232,6 +304,9 @@ class Kitchen:
         ``beside`` are the other inputs of the unit that takes it. ``RUNNING`` is a fault only where some unit makes
         the node so: that needs the FOON, and is the caller's to decide. The order of the faults is the order of
         the clauses of C6. A vessel with several foods is held to the rule of a vessel with one, for each of them.
+
+        >>> print(Kitchen.default().leaf_fault(ObjectNode("onion", ("chopped",))))
+        a food in a processed state
         """
         if not self.is_utensil(node.label):
             if self.is_mixture(node):
@@ -247,6 +322,10 @@ class Kitchen:
         """Return whether the vessel ``node`` may hold its foods from the start.
 
         It is storage, or each food stands ``beside`` it.
+
+        >>> bowl = ObjectNode("bowl", (), ("onion",))
+        >>> Kitchen.default().may_hold(bowl), Kitchen.default().may_hold(bowl, [ObjectNode("onion")])
+        (False, True)
         """
         if self.is_storage(node.label):
             return True
@@ -257,6 +336,9 @@ class Kitchen:
         """Return whether C6 lets ``node`` be a leaf of a final tree where no unit makes it (see :meth:`leaf_fault`).
 
         ``beside`` are the other leaves: what stands in a vessel that is one of them may be there.
+
+        >>> [Kitchen.default().may_be_leaf(ObjectNode("pan", (state,))) for state in ("clean", "dirty")]
+        [True, False]
         """
         return self.leaf_fault(node, beside) in {None, LeafFault.RUNNING}
 
