@@ -88,10 +88,25 @@ def test_grain_with_which_a_title_serves_a_dish_is_boiled_by_itself(steps, dish)
     assert boiled == [{"water"}, {"water", "rice"}]
 
 
-def test_jam_and_dressing_are_baked_on_chicken(steps):
-    told = steps("chicken", "Apricot chicken", "chicken thighs:raw", "apricot jam:jelly", "French dressing:creamy")
-    assert inside(told, "stir") == {"apricot jam", "French dressing"}
+@pytest.mark.parametrize(
+    ("dish", "flesh", "glaze"),
+    [
+        ("chicken", "chicken thighs:raw", ("apricot jam:jelly", "French dressing:creamy")),
+        ("chicken", "chicken breasts:raw", ("peach preserves:jelly", "soy sauce:liquid", "garlic:minced")),
+        ("pork", "pork tenderloin:raw", ("cranberry sauce:jelly", "mustard:creamy", "vinegar:liquid")),
+    ],
+)
+def test_jam_and_what_is_stirred_into_it_are_baked_on_flesh(steps, dish, flesh, glaze):
+    told = steps(dish, "Glazed in the oven", flesh, *glaze)
+    assert inside(told, "stir") == {one.split(":")[0] for one in glaze}
     assert motions(told).index("stir") < motions(told).index("bake")
+
+
+def test_a_cold_sauce_is_not_stirred_into_the_rice_on_which_it_lies(steps):
+    raita = _under_heading(("yogurt:creamy", "cucumber:grated", "mint:chopped"), "raita")
+    told = steps("rice", "Chicken biryani with raita", "chicken:uncooked", "yogurt:creamy", "garam masala:ground",
+                 "rice:uncooked", "onion:sliced", "ghee:creamy", *raita)  # fmt: skip
+    assert motions(told)[-1] == "pour"
 
 
 def test_a_sauce_is_made_before_the_steak_under_it(steps):

@@ -107,7 +107,8 @@ class Adding:
 
     def _complete(self, turn: Turn, vessel: Vessel, last: Join | Vessel, joins: Sequence[Join]) -> None:
         """Make one of all that is in a vessel: stirred, where something lies beside what was mixed and is no layer."""
-        stirred = self.work.lies_unmixed(vessel) and not _lies_on_top(last) and not self._has_set(vessel)
+        beside = isinstance(last, Vessel) and turn.stage.step < 0 and not turn.stage.does  # of no video, poured over it
+        stirred = self.work.lies_unmixed(vessel) and not (beside or _lies_on_top(last) or self._has_set(vessel))
         if stirred and not self.stages.lays(turn.stage, joins, turn.later):
             self.work.stir(vessel, self.plan.label, self.work.outcome.kept_states(vessel))
         else:
