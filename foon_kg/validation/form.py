@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 
 from foon_kg.food import Food, singular, words
@@ -218,18 +218,30 @@ def _for_frying(case: Case) -> set[int]:
     """
     told = Counter(singular(entry.node.label) for entry in case.tree.assumptions or ())
     fats = [p for p in case.world.supply.parts if p.name in told and p.food.kind in word_list("is fried in unasked")]
-    if not fats:
-        return set()
+    return _as_told(case, fats, told) if fats else set()
+
+
+def _clings(case: Case, part: Part) -> bool:
+    """Whether fat shows up as a part of what was fried in it, at a step that handles nothing which keeps food."""
+    steps = [played for played in case.played_steps if played.number == part.taken]
+    stored = any(vessel.row.keeps_food for played in steps for vessel in played.vessels)
+    return not stored and any(other.name != part.name for played in steps for other in played.taken)
+
+
+def _as_told(case: Case, fats: Iterable[Part], told: Counter[str]) -> set[int]:
+    """Return the origins of ``fats`` that were heated, the first ones, as often as each is ``told``.
+
+    So are those of what was not taken out of its bottle, and of what clings to food.
+    """
     heated, taken = _heated_and_taken(case)
-    return {part.origin for part in fats if part.origin not in taken}.union(_as_told(fats, heated, told))
-
-
-def _as_told(fats: Iterable[Part], heated: Collection[int], told: Counter[str]) -> Iterator[int]:
-    """Yield the origins of ``fats`` that were ``heated``, the first ones, as often as each is ``told``."""
+    found = set[int]()
     for part in fats:
-        if part.origin in heated and told[part.name] > 0:
+        if part.origin not in taken or _clings(case, part):
+            found.add(part.origin)
+        elif part.origin in heated and told[part.name] > 0:
             told[part.name] -= 1
-            yield part.origin
+            found.add(part.origin)
+    return found
 
 
 def _heated_and_taken(case: Case) -> tuple[set[int], set[int]]:

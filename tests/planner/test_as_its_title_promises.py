@@ -215,3 +215,9 @@ def test_dry_pulses_are_boiled_before_they_meet_what_is_sour(steps):
     told = steps("sausage", "-", "sausage:raw", "lentils:dried", "red wine:liquid", "tomato paste:paste", "onion:diced")
     drained = next(place for place, (inputs, _, _) in enumerate(told) if {"lentils", "strainer"} <= inputs)
     assert drained < min(place for place, (inputs, _, _) in enumerate(told) if "red wine" in inputs)
+
+
+@pytest.mark.parametrize("title", ["Mulled Cider", "Hot Spiced Cider", "Wassail"])
+def test_a_drink_that_is_steeped_and_drunk_hot_comes_into_a_mug(steps, title):
+    told = steps("drinks", title, "apple cider:liquid", "cinnamon stick:whole", "cloves:whole", "sugar:granulated")
+    assert {node.container for node in told[-1][2] if node.label == "drinks"} == {"mug"}
