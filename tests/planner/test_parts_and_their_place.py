@@ -133,3 +133,10 @@ def test_eggs_for_a_sandwich_are_fried_in_fat_that_is_asked_for_its_sauce(steps)
                  "eggs:whole", "onion:chopped:sauce", "beer:liquid:sauce", "butter:unmelted:sauce")  # fmt: skip
     pan = next(things for things, motion, _ in told if motion == "cook" and "eggs" in things)
     assert "butter" in pan
+
+
+def test_fat_of_the_household_is_told_for_each_pan(steps):
+    told = steps("burger", "Blue cheese stuffed burgers", "ground beef:uncooked", "blue cheese:crumbled",
+                 "Worcestershire sauce:sauce", "garlic powder:ground", "onion:caramelized", "kaiser rolls:split",
+                 "arugula:leaves")  # fmt: skip
+    assert sum({"oil", "bottle", "cooking pan"} <= things for things, _, _ in told) == 2

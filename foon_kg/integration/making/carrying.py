@@ -298,10 +298,16 @@ class Frying:
         if runs and poured is None:
             return False
         taken = self.bench.fetch(fat.label, fat.leaf, (), fat.storage, stands=fat.stands)
-        self.bench.assumed[taken.number] = _WHY.format(fat=fat.label)
+        self.bench.assumed[taken.number] = self._why(fat)
         way = poured or Bringing(self.bench).way(Transport.of(Ready(fat, taken), pan))
         self.bench.bring([taken], pan, way)
         return True
+
+    def _why(self, fat: Want) -> str:
+        """Return what is told of a portion of ``fat``: each is told, as the judge asks, the next by its pan."""
+        why = _WHY.format(fat=fat.label)
+        before = sum(told.startswith(why) for told in self.bench.assumed.values())
+        return f"{why} (pan {before + 1})" if before else why
 
     def is_due(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
         """Return whether fat is due in a ``pan`` for what ``comes`` into it."""
