@@ -114,3 +114,13 @@ def test_the_fat_of_a_kitchen_is_taken_as_it_is_there():
     fat = household_fat((), "", kitchen, (), public_snapshot().methods().operators)
     assert fat is not None
     assert (fat.leaf, fat.storage, fat.stands) == (("stick",), "bowl", True)
+
+
+def test_oil_of_the_household_is_told_for_each_pan_into_which_it_comes(public_plans):
+    result = public_plans(
+        "burger", "Blue Cheese Stuffed Burgers",
+        "ground beef:uncooked", "blue cheese:crumbled", "Worcestershire sauce:sauce", "garlic powder:ground",
+        "onion:caramelized", "kaiser rolls:split", "arugula:leaves",
+    )  # fmt: skip
+    assert len(fats(result)) > 1
+    assert len([one for one in result.assumptions if one.node.label == "oil"]) == len(fats(result))
