@@ -28,12 +28,14 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.foon.plan import Step as Step
     from foon_kg.language.reviewing import Decision as Decision
     from foon_kg.language.reviewing import Kind as Kind
+    from foon_kg.language.reviewing import Reason as Reason
     from foon_kg.language.reviewing import Review as Review
     from foon_kg.model import KnownUnit
     from foon_kg.model.knowledge import Neighbour
     from foon_kg.planning.batch import Answer as Answer
     from foon_kg.planning.batch import Question as Question
     from foon_kg.planning.candidates import Candidates
+    from foon_kg.planning.considered import Considered as Considered
     from foon_kg.planning.explanation import Explanation as Explanation
     from foon_kg.planning.explanation import Joining as Joining
     from foon_kg.planning.explanation import PassedOver as PassedOver
@@ -47,6 +49,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.planning.settings import PlanSettings as PlanSettings
     from foon_kg.planning.settings import Substitute as Substitute
     from foon_kg.planning.suggestion import Suggestion, Suggestions
+    from foon_kg.planning.suggestion import Taken as Taken
     from foon_kg.plans.kitchen import Kitchen
     from foon_kg.plans.result import PlanResult
     from foon_kg.plans.stock import StockedKitchen
@@ -61,6 +64,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
 _HOMES = {
     "Answer": "foon_kg.planning.batch",
     "ConnectionSettings": "foon_kg.store.settings",
+    "Considered": "foon_kg.planning.considered",
     "Decision": "foon_kg.language.reviewing",
     "Explanation": "foon_kg.planning.explanation",
     "IngredientWords": "foon_kg.planning.recipes",
@@ -73,11 +77,13 @@ _HOMES = {
     "PlanSettings": "foon_kg.planning.settings",
     "Question": "foon_kg.planning.batch",
     "ReadKitchen": "foon_kg.planning.kitchen_file",
+    "Reason": "foon_kg.language.reviewing",
     "RetrievalResult": "foon_kg.search.classic",
     "Review": "foon_kg.language.reviewing",
     "Snapshot": "foon_kg.store.snapshot",
     "Step": "foon_kg.foon.plan",
     "Substitute": "foon_kg.planning.settings",
+    "Taken": "foon_kg.planning.suggestion",
     "WithDrafts": "foon_kg.store.with_drafts",
     "amount_said": "foon_kg.planning.recipes",
     "as_spelled": "foon_kg.planning.recipes",

@@ -51,7 +51,7 @@ from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen, household_fats
 from foon_kg.plans.measures import amounts_asked, with_asked, with_measures
 from foon_kg.plans.progress import lines_of_things
-from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
+from foon_kg.plans.result import GoalPassedOver, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
 from foon_kg.validation import check
@@ -333,7 +333,7 @@ class PlannedRecipe:
             tree.substitutions,
             tree.assumptions,
             passed_over=tuple(
-                PassedOver(one.goal, one.similarity, one.why)
+                GoalPassedOver(one.goal, one.similarity, one.why)
                 for one in nearer_goals(self.fits, fit, self.recipe.dish_type)
             ),
         )

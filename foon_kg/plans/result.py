@@ -70,7 +70,7 @@ class ReferenceSummary:
 
 
 @dataclass(frozen=True)
-class PassedOver:
+class GoalPassedOver:
     """A goal that is nearer to the recipe by its ingredients (``similarity``, 0 to 1), and why it was not taken."""
 
     goal: ObjectNode
@@ -99,7 +99,7 @@ class PlanResult:
     substitutions: tuple[Substitution, ...] = ()
     assumptions: tuple[Assumption, ...] = ()
     progress_lines: tuple[ProgressLine, ...] = ()
-    passed_over: tuple[PassedOver, ...] = ()
+    passed_over: tuple[GoalPassedOver, ...] = ()
 
     def to_json(self) -> JsonObject:
         """Return the result as ``foon plan --json`` prints it."""
@@ -134,7 +134,7 @@ class PlanResult:
             tuple(map(Substitution.from_json, fields.nested_list("substitutions"))),
             tuple(map(Assumption.from_json, fields.nested_list("assumptions"))),
             tuple(map(ProgressLine.from_json, fields.nested_list("progress_lines"))),
-            tuple(map(PassedOver.from_json, fields.nested_list("passed_over"))) if "passed_over" in fields else (),
+            tuple(map(GoalPassedOver.from_json, fields.nested_list("passed_over"))) if "passed_over" in fields else (),
         )
 
     @property

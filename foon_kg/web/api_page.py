@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping
 from html import escape
 from typing import Any
 
 Described = Mapping[str, Any]
 """A part of an OpenAPI document."""
+
+_ROLE = re.compile(r":\w+:`~?(?:[\w.]+\.)?(\w+)`")
+"""How a docstring refers to something by its name."""
 
 _TYPES = {"string": "text", "integer": "whole number", "boolean": "true or false", "object": "fields"}
 
@@ -160,6 +164,7 @@ def _anchor(path: str, method: str) -> str:
 
 
 def _paragraph(text: str) -> str:
-    """Return a description with what is marked as code in it: ``so``."""
-    parts = escape(" ".join(text.split())).split("``")
+    """Return a description with what is marked as code in it: ``so``; examples in Python are left out."""
+    words = _ROLE.sub(r"``\1``", " ".join(text.partition(">>>")[0].split()))
+    parts = escape(words).split("``")
     return "".join(f"<code>{part}</code>" if place % 2 else part for place, part in enumerate(parts))

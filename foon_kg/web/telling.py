@@ -6,6 +6,8 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict
 
+from foon_kg.foon import Taken
+
 
 def _left_out(schema: dict[str, Any]) -> None:
     """Say in the ``schema`` of a model that what need not be there is left out, and never null."""
@@ -97,14 +99,6 @@ class NearAndWhy(Told):
     why: list[str]
 
 
-class TakenTold(Told):
-    """A food that a dish takes, and the food of one's own that stands for it."""
-
-    food: str
-    own: str
-    confidence: float
-
-
 class SuggestionTold(Told):
     """A dish, and what of it is there."""
 
@@ -113,7 +107,7 @@ class SuggestionTold(Told):
     videos: list[str]
     units: int
     share: float
-    taken: list[TakenTold]
+    taken: list[Taken]
     missing: list[str]
     assumed: list[Node]
     unused: list[str]

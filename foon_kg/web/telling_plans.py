@@ -1,4 +1,8 @@
-"""How the API answers a plan, typed: the OpenAPI document is made from this."""
+"""How the API answers a plan, typed: the OpenAPI document is made from this.
+
+Values of the plan stand here by themselves where their JSON is all of their fields. The others leave fields out that
+say nothing, or are written in another way, and so have a type of their own; a test holds answers to it.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +15,7 @@ from foon_kg.plans.durations import Duration
 from foon_kg.web.telling import MeasuresTold, Node, RecipeTold, SeenIn, Told, Wanted
 
 
-class Thing(Node):
+class NumberedNode(Node):
     """An object node of a plan; the same thing in two steps has the same number, and two bowls have two.
 
     ``container_thing`` is the number of what it is in or on.
@@ -33,9 +37,9 @@ class Step(Told):
     ``grounding``: the same food, a like one, one of its kind, or the motion alone.
     """
 
-    input_nodes: list[Thing]
+    input_nodes: list[NumberedNode]
     motion_node: str
-    output_nodes: list[Thing]
+    output_nodes: list[NumberedNode]
     phase: Literal["prepare", "heat", "finish"] | None = None
     origin: Literal["foon", "adapted"]
     grounding: Literal["food", "like", "kind", "motion"] | None = None

@@ -18,7 +18,7 @@ from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.tree import Step, TreeUnit
 from foon_kg.plans.progress import ProgressLine, ProgressStep
-from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
+from foon_kg.plans.result import GoalPassedOver, PlanResult, ReferenceSummary
 
 ESCAPE = re.compile(r"\x1b\[[0-9;]*m")
 
@@ -44,7 +44,7 @@ PLAN = PlanResult(
         Substitution("state", "kohlrabi", "grated", "shredded", 0.9),
     ),
     assumptions=(Assumption(CREAM, "nothing makes it"),),
-    passed_over=(PassedOver(BOWL, 0.75, "it has no core"),),
+    passed_over=(GoalPassedOver(BOWL, 0.75, "it has no core"),),
     progress_lines=(
         ProgressLine(
             "kohlrabi",

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import jsonschema_rs
 import pytest
 from examples import examples
+from fastapi.testclient import TestClient
 from hypothesis import given
-from web.serving import app, served
+from web.serving import SALAD, app, served
 
 CONFIG = {
     "checks": {
@@ -73,3 +75,37 @@ def test_answers_are_as_the_document_says(document, path, method, mode):
     ask()
     assert answers
     assert all(("error" in answer.json()) == (answer.status_code >= 400) for answer in answers)
+
+
+ASKED_FULLY = SALAD | {
+    "ingredients": ["2 cups kohlrabi, sliced", "chopped onion", "3 tablespoons olive oil"],
+    "explain": True,
+    "hands": [1, 2],
+    "pictures": True,
+    "export": "pddl",
+}
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "asked"),
+    [
+        ("post", "/api/plan", SALAD),
+        ("post", "/api/plan", ASKED_FULLY),
+        ("post", "/api/suggest", {"foods": ["egg", "onion"]}),
+        ("get", "/api/similar", {"name": "kohlrabi"}),
+        ("get", "/api/summary", {}),
+        ("get", "/api/examples", {}),
+        ("get", "/api/object", {"label": "onion"}),
+        ("get", "/api/explore/begin", {}),
+        ("post", "/api/explore/around", {"id": "food:onion"}),
+    ],
+)
+def test_an_answer_has_no_field_that_is_not_described(method, path, asked):
+    with TestClient(app(), base_url="http://localhost") as client:
+        document = client.get("/api/openapi.json").json()
+        answer = client.post(path, json=asked) if method == "post" else client.get(path, params=asked)
+    assert answer.status_code == 200, answer.text
+    for schema in document["components"]["schemas"].values():
+        schema.setdefault("additionalProperties", "properties" not in schema)
+    told = document["paths"][path][method]["responses"]["200"]["content"]["application/json"]["schema"]
+    jsonschema_rs.validator_for(told | {"components": document["components"]}).validate(answer.json())

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from neo4j.graph import Node, Path, Relationship
 
-from foon_kg.web.explore.network import Network, Thing
+from foon_kg.web.explore.network import Edge, Network, Thing
 
 if TYPE_CHECKING:
     from foon_kg.store.graph.free_cypher import Answer
@@ -31,26 +31,17 @@ _EDGES = {
 
 
 @dataclass(frozen=True)
-class Joined:
-    """What joins two things of an answer."""
-
-    source: str
-    target: str
-    kind: str
-
-
-@dataclass(frozen=True)
 class Drawn:
     """The nodes of an answer as things (at most ``MOST_DRAWN``), and the edges among them."""
 
     things: tuple[Thing, ...]
-    edges: tuple[Joined, ...]
+    edges: tuple[Edge, ...]
 
 
 def drawn(answer: Answer, network: Network) -> Drawn:
     """Return what of an ``answer`` can be drawn in ``network``: its nodes, edges and paths, wherever they stand."""
     nodes: dict[str, Thing] = {}
-    edges: dict[Joined, None] = {}
+    edges: dict[Edge, None] = {}
     for value in _graph_values(answer.rows):
         if isinstance(value, Node):
             if len(nodes) < MOST_DRAWN:
@@ -62,12 +53,12 @@ def drawn(answer: Answer, network: Network) -> Drawn:
     return Drawn(tuple(things.values()), tuple(there))
 
 
-def _joined(edge: Relationship, network: Network) -> Joined | None:
+def _joined(edge: Relationship, network: Network) -> Edge | None:
     """Return what an edge joins, ``None`` where the question did not ask for its ends."""
     if edge.start_node is None or edge.end_node is None:
         return None
     kind = _EDGES.get(edge.type, edge.type.lower().replace("_", " "))
-    return Joined(_thing(edge.start_node, network).id, _thing(edge.end_node, network).id, kind)
+    return Edge(_thing(edge.start_node, network).id, _thing(edge.end_node, network).id, kind)
 
 
 def _graph_values(value: object) -> Iterator[Node | Relationship]:

@@ -21,8 +21,6 @@ from foon_kg.web.questions import UnknownError
 ThingKind = Literal["food", "utensil", "object", "step", "motion", "video", "dish", "other"]
 """``other`` is what an answer in Cypher has beside these: a node of the graph that has no neighbours here."""
 
-EdgeKind = Literal["takes", "makes", "called", "contains", "motion", "seen in", "type", "shows"]
-
 
 @dataclass(frozen=True)
 class Thing:
@@ -45,11 +43,15 @@ class Thing:
 
 @dataclass(frozen=True, order=True)
 class Edge:
-    """What joins two things, from ``source`` to ``target``, both by their ids."""
+    """What joins two things, from ``source`` to ``target``, both by their ids.
+
+    ``kind`` is ``takes``, ``makes``, ``called``, ``contains``, ``motion``, ``seen in``, ``type`` or ``shows``; in an
+    answer to a question in Cypher also what the graph calls a relationship that is none of these.
+    """
 
     source: str
     target: str
-    kind: EdgeKind
+    kind: str
 
 
 @dataclass(frozen=True)

@@ -16,17 +16,13 @@ from foon_kg.web.explore.cypher import CypherDesk, NoCypherError
 from foon_kg.web.explore.explorer import Explorer
 from foon_kg.web.explore.network import Thing, ThingKind
 from foon_kg.web.explore.telling import (
-    AboutTold,
     AnswerTold,
     BeginTold,
-    EdgeTold,
     NeighbourhoodTold,
-    PlaceTold,
     QuestionsTold,
     QuestionTold,
     StepTold,
     StopTold,
-    ThingTold,
     WayTold,
 )
 
@@ -45,7 +41,7 @@ def search(
     text: Annotated[str, _TEXT],
     kinds: Annotated[list[ThingKind] | None, _KINDS] = None,
     limit: Annotated[int, _LIMIT] = 12,
-) -> list[ThingTold]:
+) -> list[Thing]:
     """Return the foods, utensils, motions, videos, dish types and objects that ``text`` may become, best first."""
     explorer = _explorer(request)
     return _told(explorer, explorer.search.find(text, kinds or (), limit))
@@ -70,9 +66,9 @@ def around(request: Request, asked: AroundAsked) -> NeighbourhoodTold:
     found = explorer.neighbours.around(asked.id, asked.filters(), depth=asked.depth, most=asked.most, shown=asked.shown)
     return NeighbourhoodTold(
         things=_told(explorer, found.things),
-        edges=[EdgeTold.model_validate(edge) for edge in found.edges],
+        edges=list(found.edges),
         more=found.more,
-        about=AboutTold.model_validate(explorer.telling.about(found.things[0])),
+        about=explorer.telling.about(found.things[0]),
     )
 
 
@@ -89,10 +85,10 @@ def way(request: Request, asked: WayAsked) -> WayTold:
             for thing, stop in zip(_told(explorer, stops), found.stops, strict=True)
         ],
         steps=[
-            StepTold(thing=thing, places=[PlaceTold.model_validate(place) for place in places_of(known.seen_in)])
+            StepTold(thing=thing, places=list(places_of(known.seen_in)))
             for thing, known in zip(_told(explorer, steps), found.steps, strict=True)
         ],
-        edges=[EdgeTold.model_validate(e) for e in explorer.neighbours.edges({t.id for t in (*stops, *steps)})],
+        edges=list(explorer.neighbours.edges({t.id for t in (*stops, *steps)})),
     )
 
 
@@ -124,19 +120,17 @@ def cypher(request: Request, asked: CypherAsked) -> AnswerTold:
     explorer = _explorer(request)
     found = drawn(answer, explorer.network)
     known = explorer.neighbours.edges({thing.id for thing in found.things if thing.kind != "other"})
-    told = [EdgeTold.model_validate(edge) for edge in (*found.edges, *known)]
-    edges = {(edge.source, edge.target, edge.kind): edge for edge in told}
     return AnswerTold(
         columns=list(answer.columns),
         rows=answer.plain_rows(),
         cut=answer.cut,
         things=_told(explorer, found.things),
-        edges=list(edges.values()),
+        edges=list(dict.fromkeys((*found.edges, *known))),
     )
 
 
-def _told(explorer: Explorer, things: Iterable[Thing]) -> list[ThingTold]:
-    return [ThingTold.model_validate(explorer.telling.in_words(thing)) for thing in things]
+def _told(explorer: Explorer, things: Iterable[Thing]) -> list[Thing]:
+    return [explorer.telling.in_words(thing) for thing in things]
 
 
 def _explorer(request: Request) -> Explorer:

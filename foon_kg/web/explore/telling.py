@@ -1,85 +1,40 @@
-"""What the API of the explorer answers, typed."""
+"""What the API of the explorer answers, typed; things and what is known of them are the explorer's own values."""
 
 from __future__ import annotations
 
 from pydantic import BaseModel, ConfigDict, JsonValue
 
-from foon_kg.web.explore.network import ThingKind
+from foon_kg.web.explore.about import About, Place
+from foon_kg.web.explore.network import Edge, Thing
 
 
 class Told(BaseModel):
     """A body that is answered; made from the explorer's own values."""
 
-    model_config = ConfigDict(from_attributes=True)
-
-
-class ThingTold(Told):
-    """Something in the picture, by its id; ``steps``: in how many it takes part. The note of a step is a sentence."""
-
-    id: str
-    kind: ThingKind
-    name: str
-    states: list[str]
-    note: str
-    steps: int
-    vessel: bool
-    empty: bool
-
-
-class EdgeTold(Told):
-    """What joins two things."""
-
-    source: str
-    target: str
-    kind: str
-
-
-class FactTold(Told):
-    """Something that is known of a thing: a heading, and words below it."""
-
-    name: str
-    words: list[str]
-
-
-class PlaceTold(Told):
-    """Where a thing is seen: video, place of the step from 0, second, web address."""
-
-    video: str
-    step: int
-    start: float | None
-    address: str | None
-
-
-class AboutTold(Told):
-    """What a thing is."""
-
-    text: str
-    facts: list[FactTold]
-    links: list[ThingTold]
-    places: list[PlaceTold]
+    model_config = ConfigDict(json_schema_serialization_defaults_required=True)  # all that there is to tell is told
 
 
 class NeighbourhoodTold(Told):
     """A thing (the first), what is around it, and how many neighbours of each are not shown."""
 
-    things: list[ThingTold]
-    edges: list[EdgeTold]
+    things: list[Thing]
+    edges: list[Edge]
     more: dict[str, int]
-    about: AboutTold
+    about: About
 
 
 class StopTold(Told):
     """Where a food is on its way, and what it is called by then."""
 
-    thing: ThingTold
+    thing: Thing
     name: str
 
 
 class StepTold(Told):
     """What is done on the way, and where that is seen."""
 
-    thing: ThingTold
-    places: list[PlaceTold]
+    thing: Thing
+    places: list[Place]
 
 
 class WayTold(Told):
@@ -87,7 +42,7 @@ class WayTold(Told):
 
     stops: list[StopTold]
     steps: list[StepTold]
-    edges: list[EdgeTold]
+    edges: list[Edge]
 
 
 class BeginTold(Told):
@@ -96,7 +51,7 @@ class BeginTold(Told):
     videos: list[str]
     motions: list[str]
     dish_types: list[str]
-    begin: list[ThingTold]
+    begin: list[Thing]
 
 
 class QuestionTold(Told):
@@ -122,5 +77,5 @@ class AnswerTold(Told):
     columns: list[str]
     rows: list[list[JsonValue]]
     cut: bool
-    things: list[ThingTold]
-    edges: list[EdgeTold]
+    things: list[Thing]
+    edges: list[Edge]

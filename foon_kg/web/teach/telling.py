@@ -6,16 +6,9 @@ from typing import Self
 
 from pydantic import BaseModel
 
-from foon_kg.foon import Decision, Kind, Review
+from foon_kg.foon import Decision, Reason, Review
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.plans.kitchen import Kitchen
-
-
-class ReasonTold(BaseModel):
-    """Why a row should be looked at."""
-
-    kind: Kind
-    text: str
 
 
 class CellsTold(BaseModel):
@@ -42,7 +35,7 @@ class RowTold(BaseModel):
     sentence: str | None
     confidence: float
     reviewed: bool
-    reasons: list[ReasonTold]
+    reasons: list[Reason]
 
     @classmethod
     def of(cls, row: Decision) -> Self:
@@ -56,7 +49,7 @@ class RowTold(BaseModel):
             sentence=None if row.unit is None else sentence(row.unit, Kitchen.default()),
             confidence=row.confidence,
             reviewed=row.is_reviewed,
-            reasons=[ReasonTold(kind=reason.kind, text=reason.text) for reason in row.reasons],
+            reasons=list(row.reasons),
         )
 
 
