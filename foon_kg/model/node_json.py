@@ -31,11 +31,12 @@ def node_from_json(fields: Fields) -> ObjectNode:
 
 def recipe_to_json(recipe: Recipe) -> JsonObject:
     """Return the ``recipe`` field of a plan result."""
-    ingredients = [_wanted_to_json(wanted) for wanted in recipe.ingredients]
+    ingredients = [wanted_to_json(wanted) for wanted in recipe.ingredients]
     return {"id": recipe.id, "title": recipe.title, "dish_type": recipe.dish_type, "ingredients": ingredients}
 
 
-def _wanted_to_json(wanted: RequiredIngredient) -> JsonObject:
+def wanted_to_json(wanted: RequiredIngredient) -> JsonObject:
+    """Return an asked food (``wanted``) with its state; how much and what for only where it says so."""
     told: JsonObject = {"object": wanted.object, "state": wanted.state}
     more = {"amount": wanted.amount, "part": wanted.part}
     return told | {name: value for name, value in more.items() if value}

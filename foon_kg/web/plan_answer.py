@@ -14,7 +14,7 @@ from foon_kg.formats.pictures.progress import progress_svg
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.model import KnownUnit
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.node_json import node_to_json, sighting_to_json
+from foon_kg.model.node_json import node_to_json, sighting_to_json, wanted_to_json
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
@@ -96,6 +96,5 @@ def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) ->
 
 def explanation_to_json(one: Explanation) -> JsonObject:
     """Return why one ingredient is made as it is, field by field."""
-    fields: JsonObject = asdict(one)
-    fields["renamed"] = [{"asked": asked, "read_as": meant} for asked, meant in one.renamed]
-    return fields
+    renamed = [{"asked": asked, "read_as": meant} for asked, meant in one.renamed]
+    return asdict(one) | {"want": wanted_to_json(one.want), "renamed": renamed}
