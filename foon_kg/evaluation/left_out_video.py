@@ -29,8 +29,8 @@ def left_out_video(subgraph: Subgraph, kitchen: Kitchen) -> LeftOutVideo | None:
     """Return the question that ``subgraph`` becomes in ``kitchen``; ``None`` for one that marks no dish, or no foods.
 
     Of several goals the one of most foods is asked, ties go to the first by content. What is asked is what a cook would
-    buy for it (:func:`bought`): its foods, and the goal itself where it is a food that the video begins with (a
-    beefsteak is made of beefsteak). Each is asked in the state in which it first joins others (:func:`joining_state`);
+    buy for it (:func:`bought`): its foods, those of which it is made though it does not name them (the bread of a
+    sandwich), and the goal itself where it is a food that the video begins with (a beefsteak is made of beefsteak). Each is asked in the state in which it first joins others (:func:`joining_state`);
     ``""`` where the video shows none.
     """
     goal = _goal_of_most_foods(subgraph, kitchen)
@@ -56,7 +56,38 @@ def _foods_to_buy(units: Sequence[FunctionalUnit], goal: ObjectNode, kitchen: Ki
     if kitchen.is_food(goal) and _maker(units, goal.label, kitchen) is None:
         names.insert(0, goal.label)
     by_singular = {singular(name): name for name in names}
+    for name in _unnamed(units, goal, tuple(by_singular), kitchen):
+        by_singular.setdefault(singular(name), name)
     return [by_singular[food] for food in sorted(by_singular)]
+
+
+def _unnamed(
+    units: Sequence[FunctionalUnit], goal: ObjectNode, asked: Sequence[str], kitchen: Kitchen
+) -> Iterator[str]:
+    """Yield the foods from the start of which ``units`` make the ``goal``, though it names none of them as its own.
+
+    People who annotate leave out what lies below the rest: the bread of a sandwich. ``asked`` foods (in singular) are
+    asked as they are, whatever they are made of; what shares a word with one of them is taken to be the same food (rice
+    and white rice), and what the video makes elsewhere is asked as its parts.
+    """
+    needed, known = {goal}, {word for name in asked for word in words(name)}
+    for unit in reversed(units):
+        if needed.isdisjoint(unit.output_nodes):
+            continue
+        for node in unit.input_nodes:
+            food = kitchen.is_food(node)
+            if not food or singular(node.label) not in asked:
+                needed.add(node)
+            if food and known.isdisjoint(words(node.label)) and not _is_at_hand(units, node.label, kitchen):
+                yield node.label
+
+
+def _is_at_hand(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> bool:
+    """Whether nobody buys the food ``name`` for these ``units``: it is free, or one of them makes it."""
+    return kitchen.is_free(name) or any(
+        singular(name) in _named(unit.output_nodes, kitchen) and singular(name) not in _named(unit.input_nodes, kitchen)
+        for unit in units
+    )
 
 
 def bought(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> tuple[str, ...]:
