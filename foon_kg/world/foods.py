@@ -111,8 +111,10 @@ def _settle(out: Outcome, lump: Lump, place: int) -> None:
     if where is not lump.where:
         out.leave_rest(lump)
         out.supply.put(lump, where)
-    if out.played_step.does(*JOINS) and one.names and out.mentions[place].thing is not None:
-        lump.number = out.mentions[place].thing  # noodles that become a dish of noodles are numbered anew
+    thing = out.mentions[place].thing
+    anew = thing not in out.supply.numbered_lumps or (out.played_step.does(*JOINS) and one.names)
+    if thing is not None and anew:
+        lump.number = thing  # what is fried with its fat, and noodles that become a dish of noodles, are numbered anew
     out.supply.keep(lump, lump.where)
     if out.played_step.does(*JOINS) and _gathers(out, one, lump):
         _join_all(out, lump)

@@ -204,6 +204,20 @@ muesli#2 (whole) + cup (empty) → PUT → muesli#2 (whole; in cup) + cup ({mues
         ],
     ),
     story(
+        "a numbered food that has another number once it was fried with its fat",
+        """
+pan#3 (empty) + oil#4 (liquid; in bottle) → POUR → pan#3 ({oil}) + oil#4 (liquid; in pan)
+pan#3 ({oil}) + balls#1 ({beef}; on plate) → PUT → pan#3 ({beef, oil}) + balls#1 ({beef}; in pan)
+pan#3 ({beef, oil}) + balls#1 ({beef}; in pan) + oil#4 (liquid; in pan) → COOK → balls#2 (cooked; {beef, oil}; in pan)
+pan#3 ({beef, oil}) + balls#2 (cooked; {beef, oil}; in pan) + turner → FLIP → balls#2 (flipped; {beef, oil}; in pan)
+""",
+        [
+            "bottle: oil (liquid)",
+            "pan: oil (liquid); ball (flipped) of ball + beef",
+            "W3 step 3 pan ({beef, oil}): “cook” without a heat source",
+        ],
+    ),
+    story(
         "a numbered food that says a state that nobody gave it",
         """
 tomato#1 (whole) + plate (empty) → PUT → tomato#1 (whole; on plate)
