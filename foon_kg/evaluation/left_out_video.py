@@ -30,8 +30,8 @@ def left_out_video(subgraph: Subgraph, kitchen: Kitchen) -> LeftOutVideo | None:
 
     Of several goals the one of most foods is asked, ties go to the first by content. What is asked is what a cook would
     buy for it (:func:`bought`): its foods, those of which it is made though it does not name them (the bread of a
-    sandwich), and the goal itself where it is a food that the video begins with (a beefsteak is made of beefsteak). Each is asked in the state in which it first joins others (:func:`joining_state`);
-    ``""`` where the video shows none.
+    sandwich), and the goal itself where it is a food that the video begins with (a beefsteak is made of beefsteak).
+    Each is asked in the state in which it first joins others (:func:`joining_state`); ``""`` where the video shows none.
     """
     goal = _goal_of_most_foods(subgraph, kitchen)
     if goal is None:
