@@ -31,7 +31,7 @@ def left_out_video(subgraph: Subgraph, kitchen: Kitchen) -> LeftOutVideo | None:
     Of several goals the one of most foods is asked, ties go to the first by content. What is asked is what a cook would
     buy for it (:func:`bought`): its foods, those of which it is made though it does not name them (the bread of a
     sandwich), and the goal itself where it is a food that the video begins with (a beefsteak is made of beefsteak).
-    Each is asked in the state in which it first joins others (:func:`joining_state`); ``""`` where the video shows none.
+    Each is asked in the state in which it first joins others (:func:`joining_state`); ``""`` where it shows none.
     """
     goal = _goal_of_most_foods(subgraph, kitchen)
     if goal is None:
@@ -70,16 +70,22 @@ def _unnamed(
     asked as they are, whatever they are made of; what shares a word with one of them is taken to be the same food (rice
     and white rice), and what the video makes elsewhere is asked as its parts.
     """
-    needed, known = {goal}, {word for name in asked for word in words(name)}
+    known = {word for name in asked for word in words(name)}
+    for node in _foods_behind(units, goal, asked, kitchen):
+        if known.isdisjoint(words(node.label)) and not _is_at_hand(units, node.label, kitchen):
+            yield node.label
+
+
+def _foods_behind(
+    units: Sequence[FunctionalUnit], goal: ObjectNode, asked: Sequence[str], kitchen: Kitchen
+) -> Iterator[ObjectNode]:
+    """Yield the food nodes of which ``units`` make the ``goal``, but nothing of which one of the ``asked`` is made."""
+    needed = {goal}
     for unit in reversed(units):
-        if needed.isdisjoint(unit.output_nodes):
-            continue
-        for node in unit.input_nodes:
-            food = kitchen.is_food(node)
-            if not food or singular(node.label) not in asked:
-                needed.add(node)
-            if food and known.isdisjoint(words(node.label)) and not _is_at_hand(units, node.label, kitchen):
-                yield node.label
+        if not needed.isdisjoint(unit.output_nodes):
+            foods = [node for node in unit.input_nodes if kitchen.is_food(node)]
+            yield from foods
+            needed |= set(unit.input_nodes) - {node for node in foods if singular(node.label) in asked}
 
 
 def _is_at_hand(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> bool:
