@@ -36,6 +36,7 @@ check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of import
 	$(BIN)/ruff format --check .
 	cd $(TYPED) && $(CURDIR)/$(BIN)/lint-imports --config $(CURDIR)/pyproject.toml
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
+	$(BIN)/foon plan --files foon_kg/foon/demo --dish salad "chopped onion" --quiet > $(TYPED)/salad.txt # the tables are read
 	$(BIN)/python benchmarks/imports.py
 	$(BIN)/python benchmarks/house.py --hold
 
