@@ -381,7 +381,7 @@ def _why_not(lump: Lump, said: NodeReading) -> str | None:
         return f"this {said.label} was used up before"
     if said.place is not None and lump.where is not None and not same_place(said.place, lump.where):
         return f"it is in the {lump.where.label} and not in the {said.place}"
-    if said.undivided and (lump.fine > 0 or lump.mixed):
+    if said.undivided and (lump.fine > 0 or (lump.mixed and said.names <= {said.label})):  # or told with its herbs
         return f"it is {', '.join(lump.states) or 'mixed'} by now"
     return None
 

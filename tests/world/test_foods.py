@@ -189,16 +189,17 @@ onion (washed; in cup) + bowl ({tomato}) → PUT → onion (washed; in bowl) + b
         ],
     ),
     story(
-        "a numbered food that was halved, and one that was mixed",
+        "a numbered food that was halved, and one that was mixed, and is told so at last",
         """
 tomato#1 (whole) + plate (empty) + knife → HALVE → tomato#1 (halved, wet; on plate)
 tomato#1 (whole) + cup (empty) → PUT → tomato#1 (whole; in cup) + cup ({tomato})
 muesli#2 ({nut, raisin}; in bag) + bowl (empty) → POUR → muesli#2 (in bowl) + bowl ({muesli})
 muesli#2 (whole) + cup (empty) → PUT → muesli#2 (whole; in cup) + cup ({muesli})
+muesli#2 (whole; {nut, raisin}; in cup) + plate (empty) → PUT → muesli#2 ({nut, raisin}; on plate) + plate ({muesli})
 """,
         [
-            "cup: muesli (whole) of muesli + nut + raisin",
             "cup: tomato (whole)",
+            "plate: muesli of muesli + nut + raisin",
             "W1 step 2 tomato (whole): it is halved, wet by now",
             "W1 step 4 muesli (whole): it is mixed by now",
         ],
