@@ -221,22 +221,15 @@ def _for_frying(case: Case) -> set[int]:
     return _as_told(case, fats, told) if fats else set()
 
 
-def _clings(case: Case, part: Part) -> bool:
-    """Whether fat shows up as a part of what was fried in it, at a step that handles nothing which keeps food."""
-    steps = [played for played in case.played_steps if played.number == part.taken]
-    stored = any(vessel.row.keeps_food for played in steps for vessel in played.vessels)
-    return not stored and any(other.name != part.name for played in steps for other in played.taken)
-
-
 def _as_told(case: Case, fats: Iterable[Part], told: Counter[str]) -> set[int]:
     """Return the origins of ``fats`` that were heated, the first ones, as often as each is ``told``.
 
-    So are those of what was not taken out of its bottle, and of what clings to food.
+    So are those of what was not taken out of its bottle.
     """
     heated, taken = _heated_and_taken(case)
     found = set[int]()
     for part in fats:
-        if part.origin not in taken or _clings(case, part):
+        if part.origin not in taken:
             found.add(part.origin)
         elif part.origin in heated and told[part.name] > 0:
             told[part.name] -= 1
