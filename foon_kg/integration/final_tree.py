@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import cast
 
@@ -53,7 +53,7 @@ def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want
         units,
         leaves_of(units),
         (*_objects(bench, others), *_motions(bench), *dict.fromkeys(_states(bench, cooking, wants))),
-        (*dict.fromkeys(_assumed_of_foods(bench, cooking)), *_assumptions(bench, bench.assumed.items())),
+        tuple(dict.fromkeys(_assumptions(bench, cooking))),
     )
 
 
@@ -146,19 +146,11 @@ def _foods_among(mentions: Sequence[Mention], known: Tables) -> list[int | None]
     return [one.thing for one in mentions if known.utensil(singular(one.node.label)) is None]
 
 
-def _assumed_of_foods(bench: Bench, cooking: Cooking) -> Iterator[Assumption]:
-    """Yield what was assumed of each asked food."""
-    asked = (ready for _, ready in sorted(cooking.ready.items()))
-    return _assumptions(bench, ((ready.stuff.number, "; ".join(dict.fromkeys(ready.assumptions))) for ready in asked))
-
-
-def _assumptions(bench: Bench, reasons: Iterable[tuple[int, str]]) -> Iterator[Assumption]:
-    """Yield what was assumed of foods, by their numbers and the ``reasons``, said of the first node that shows each.
-
-    Contract C6 lets nothing be silent.
-    """
-    for number, why in reasons:
+def _assumptions(bench: Bench, cooking: Cooking) -> Iterator[Assumption]:
+    """Yield what was assumed of each food, said of the first node that shows it: contract C6 lets nothing be silent."""
+    asked = [(ready.stuff.number, ready.assumptions) for _, ready in sorted(cooking.ready.items())]
+    for number, why in (*asked, *((number, [why]) for number, why in bench.assumed.items())):
         inputs = (mention for done in bench.done for mention in done.step.inputs)
         node = next((mention.node for mention in inputs if mention.thing == number), None) if why else None
         if node is not None:
-            yield Assumption(node, why)
+            yield Assumption(node, "; ".join(dict.fromkeys(why)))
