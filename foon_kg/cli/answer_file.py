@@ -17,6 +17,7 @@ from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.json_text import json_value
 
 _EXIT_CODES = {"read": ReadError.exit_code, "usage": UsageError.exit_code, "unknown-dish-type": UsageError.exit_code}
+_SIDES = ("input_nodes", "motion_node", "output_nodes")
 
 
 @dataclass(frozen=True)
@@ -95,15 +96,15 @@ class AnswerFile:
 def _may_answer(line: JsonObject, recipe: JsonObject) -> bool:
     """Whether a ``line`` answers ``recipe``, or says that it could not be read when it was still a broken one."""
     asked, error = line["recipe"], line.get("error")
-    broken = isinstance(error, dict) and error.get("code") in _EXIT_CODES
-    return bool(asked == recipe or (broken and not asked["ingredients"] and asked["id"] == recipe["id"]))
+    if asked == recipe:
+        return True
+    broken = isinstance(error, dict) and error.get("code") in _EXIT_CODES and isinstance(asked, dict)
+    return broken and asked.get("ingredients") == [] and asked.get("id") == recipe["id"]
 
 
 def _steps(told: JsonObject) -> object:
     """Return what a plan makes by which steps; what is told of these may hang on how long a search could take."""
-    sides = ("input_nodes", "motion_node", "output_nodes")
-    units = told.get("units", ())
-    return told.get("goal"), [[unit[side] for side in sides] for unit in units]
+    return told.get("goal"), [[unit[side] for side in _SIDES] for unit in told.get("units", ())]
 
 
 def check_tree(path: Path, number: int, line: JsonObject, now: JsonObject) -> None:
@@ -132,9 +133,15 @@ def value_of(path: Path, number: int, line: bytes) -> JsonObject:
         value = json.loads(line)
     except (ValueError, RecursionError) as error:
         raise _not_ours(path, number, "is no JSON") from error
-    if not isinstance(value, dict) or "recipe" not in value:
+    if not isinstance(value, dict) or not isinstance(value.get("recipe"), dict) or not _has_units(value):
         raise _not_ours(path, number, "is no answer to a recipe")
     return value
+
+
+def _has_units(value: JsonObject) -> bool:
+    """Whether an answer has steps as a plan has them, or none."""
+    units = value.get("units", [])
+    return isinstance(units, list) and all(isinstance(unit, dict) and unit.keys() >= set(_SIDES) for unit in units)
 
 
 def _not_ours(path: Path, number: int, why: str) -> UsageError:

@@ -99,7 +99,7 @@ def _answered_before(
     """Return what the output file holds of the answers to ``questions``: recipes that were mended are planned anew.
 
     One of its trees is planned once more: of another FOON, in another kitchen or with other wishes it is another one,
-    and the file is refused.
+    and the file is refused. What could not be read before and was mended is planned and written first.
     """
     if writing.output is None:
         return None

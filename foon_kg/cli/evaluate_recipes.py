@@ -28,8 +28,8 @@ EXAMPLES = examples(
     "foon evaluate recipes recipes/ --sample 20 --seed 1 --json > old.json",
     "foon evaluate recipes recipes/ --sample 20 --seed 1 --compare old.json",
     "foon evaluate recipes --dish salad --sample 20 --seed 1",
-    "foon evaluate recipes recipes/ --output plans.jsonl --scores-to sheet.csv",
-    "foon evaluate recipes recipes/ --output plans.jsonl --scores sheet.csv",
+    "foon evaluate recipes recipes/ --output scored.jsonl --scores-to sheet.csv",
+    "foon evaluate recipes recipes/ --output scored.jsonl --scores sheet.csv",
     "foon evaluate recipes recipes/ --html report.html",
     "foon evaluate recipes recipes/ --method paper --json > paper.json",
 )

@@ -51,7 +51,8 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
     """Plan all recipes of the graph, or those that surely are the dish type ``which``; return the exit code.
 
     They are planned with ``settings`` in the ``kitchen`` of a file, and written as ``run`` says. What is in the file
-    already stays; recipes that were loaded among those it has are refused. Nothing is held of all that is written: a
+    already stays; recipes that were loaded among those it has are refused, and so is a file of which one tree, planned
+    once more, is another one now. Nothing is held of all that is written: a
     collection may have millions of recipes.
     """
     from foon_kg.cli.kitchen import kitchen_of

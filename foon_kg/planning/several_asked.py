@@ -34,8 +34,11 @@ def each_food(text: str) -> tuple[str, ...]:
     """
     if _AND.search(text) is None or _has_a_name_with_and(text):
         return (text,)
-    parts = _sharing_the_last_word(_parts(text))
-    return parts if len(parts) > 1 and all(map(_names_one, parts)) else (text,)
+    apart = _parts(text)
+    for parts in (_sharing_the_last_word(apart), apart):
+        if len(parts) > 1 and all(map(_names_one, parts)):
+            return parts
+    return (text,)
 
 
 def _parts(text: str) -> tuple[str, ...]:

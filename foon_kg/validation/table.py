@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from foon_kg.food import Level, singular, words
-from foon_kg.food.bites import is_eaten_by_bites
-from foon_kg.food.lists import says, word_list, word_lists
+from foon_kg.food.bites import is_eaten_by_bites, stays_whole
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import Dish
 from foon_kg.model import ObjectNode
 from foon_kg.validation.case import Case
@@ -136,9 +136,8 @@ def whole(case: Case) -> Iterator[Finding]:
 
 def _stays_whole(case: Case, part: Part) -> bool:
     """Whether a recipe asks for a food in one piece that stays so in a dish of such a type: olives, a whole chilli."""
-    lists = (word_lists().get(f"stays whole in {dish_type}", frozenset()) for dish_type in case.dish_types)
-    asked = (one.state for one in case.required if singular(one.object) == part.name)
-    return part.fine == 0 and any(map(part.food.is_any, lists)) and says(asked, "is asked in one piece")
+    asked = [one.state for one in case.required if singular(one.object) == part.name]
+    return part.fine == 0 and any(stays_whole(part.food, asked, dish_type) for dish_type in case.dish_types)
 
 
 def _untreated(part: Part) -> Iterator[Finding]:

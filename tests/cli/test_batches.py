@@ -119,6 +119,10 @@ def test_a_finished_file_stays_as_it_is_and_keeps_its_exit_code(folder, lines, t
         (b"notes to keep\n", ":1: this line is no JSON"),
         (b"[1]\n", ":1: this line is no answer to a recipe"),
         (b'{"recipe": {"id": "another"}}\nhal', ":1: this line answers another question"),
+        (b'{"recipe": {"id": "a"}, "error": {"code": "usage"}}\n', ":1: this line answers another question"),
+        (b'{"recipe": null, "error": {"code": "usage"}}\n', ":1: this line is no answer to a recipe"),
+        (b'{"recipe": {"id": "a"}, "units": null}\n', ":1: this line is no answer to a recipe"),
+        (b'{"recipe": {"id": "a"}, "units": [{}]}\n', ":1: this line is no answer to a recipe"),
     ],
 )
 def test_a_file_of_something_else_is_refused_and_left_alone(folder, tmp_path, content, message):

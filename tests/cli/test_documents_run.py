@@ -38,7 +38,7 @@ EXIT_CODES = {
     "foon check plans.jsonl --kitchen kitchen.txt": 1,  # its omelette takes what is not in that kitchen
     "foon retrieve salad --level 3 --kitchen at_home.txt --json": 3,  # at home there is an onion and no salad
     "foon retrieve salad --kitchen at_home.txt --files subgraphs/ --foon": 3,
-    "foon evaluate recipes recipes/ --output plans.jsonl --scores sheet.csv": 1,  # nobody has filled the sheet
+    "foon evaluate recipes recipes/ --output scored.jsonl --scores sheet.csv": 1,  # nobody has filled the sheet
     "foon draft accept drafts/P01_11.csv": 2,  # the page shows two ways, and the first has loaded this video
 }
 """The commands that do not end with 0, as these files are."""

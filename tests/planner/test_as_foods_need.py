@@ -223,6 +223,7 @@ def test_a_sauce_bound_with_starch_comes_after_what_is_fried_for_a_moment(steps)
         ("seafood", "clam:fresh", ["scrub"], ("white wine:liquid", "garlic:minced", "butter:unmelted")),
         ("seafood", "sea bass:whole", ["scale", "gut"], ("lemon:sliced", "olive oil:liquid", "salt:granulated")),
         ("seafood", "mackerel:whole", ["gut"], ("lemon:sliced", "olive oil:liquid", "salt:granulated")),
+        ("seafood", "mussel:shucked", [], ("shallot:chopped", "butter:unmelted", "white wine:liquid")),
         ("seafood", "mussel:canned", [], ("shallot:chopped", "tomato:chopped", "olive oil:liquid")),
         ("soup", "green lentil:dried", ["rinse"], ("carrot:diced", "onion:chopped", "vegetable stock:liquid")),
         ("soup", "leek:sliced", ["cut off ends", "slice"], ("potato:diced", "vegetable stock:liquid")),

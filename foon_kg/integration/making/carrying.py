@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from foon_kg.food import Tables
+from foon_kg.food import Tables, singular
 from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_baked, is_flat, is_heated
 from foon_kg.integration.joining.batters import binds
@@ -304,19 +304,25 @@ class Frying:
         return True
 
     def _why(self, fat: Want) -> str:
-        """Return what is told of a portion of ``fat``: each is told, as the judge asks, the next by its pan."""
+        """Return what is told of a portion of ``fat``: each is told, as the judge asks, and by its number."""
         why = _WHY.format(fat=fat.label)
         before = sum(told.startswith(why) for told in self.bench.assumed.values())
-        return f"{why} (pan {before + 1})" if before else why
+        return f"{why} (portion {before + 1})" if before else why
 
     def is_due(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
         """Return whether fat is due in a ``pan`` for what ``comes`` into it."""
         return not self.plan.drunk and not pan.contents and self._is_dry(pan, comes)
 
     def keeps_dry(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
-        """Return whether what ``comes``, foods or what was shaped of some, fries dry in a ``pan``, and gives no fat."""
+        """Return whether what ``comes``, foods or what was shaped of some, fries dry in a ``pan``, and gives no fat.
+
+        Flat dough without fat in it (naan) is cooked so, and the fat that is asked is for the bread.
+        """
         mixed = any(stuff.mixed and not says(stuff.states, "keeps its shape") for stuff in comes)
-        foods = (self.known.foods.food(food) for stuff in comes for food in stuff.foods)
+        foods = [self.known.foods.food(food) for stuff in comes for food in stuff.foods]
+        dough = says([singular(stuff.label) for stuff in comes], "is cooked in a dry pan")
+        if dough and not any(food.is_a("fat") for food in foods):
+            return False
         greasy = any(food.is_any(word_list("brings fat to the pan")) and not food.is_a("fat") for food in foods)
         return self.is_due(pan, comes) and not mixed and not greasy
 

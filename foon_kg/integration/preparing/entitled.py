@@ -10,8 +10,8 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables, singular, words
-from foon_kg.food.bites import is_eaten_by_bites
-from foon_kg.food.lists import says, word_list, word_lists
+from foon_kg.food.bites import is_eaten_by_bites, stays_whole
+from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import POWDER, State
 from foon_kg.integration.preparing.preparation import CANNED, JUICE, Want
 from foon_kg.integration.teaching.operators import Operators
@@ -121,7 +121,7 @@ def as_in_a_dish(wants: Iterable[Want], operators: Operators, title: str, dish_t
             return other
         if not _is_whole(want, known):
             return _by_its_dish(want, dish_type, known)
-        if _stays_whole(want, dish_type):
+        if stays_whole(want.facts, (want.asked,), dish_type):
             return replace(want, left_whole=True)
         if pressed and want.facts.is_any(word_list("is pressed for its juice")) and not want.part:
             return _pressed(want, operators)
@@ -130,12 +130,6 @@ def as_in_a_dish(wants: Iterable[Want], operators: Operators, title: str, dish_t
         return _canned(want, known) if _comes_canned(want, wants, title_words) else want
 
     return tuple(map(meant, wants))
-
-
-def _stays_whole(want: Want, dish_type: str) -> bool:
-    """Whether a food is asked in one piece, and stays so in a dish of such a type."""
-    kinds = word_lists().get(f"stays whole in {dish_type}", frozenset())
-    return want.asked in word_list("is asked in one piece") and want.facts.is_any(kinds)
 
 
 def _is_whole(want: Want, known: Tables) -> bool:
