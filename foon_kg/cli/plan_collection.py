@@ -52,8 +52,7 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
 
     They are planned with ``settings`` in the ``kitchen`` of a file, and written as ``run`` says. What is in the file
     already stays; recipes that were loaded among those it has are refused, and so is a file of which one tree, planned
-    once more, is another one now. Nothing is held of all that is written: a
-    collection may have millions of recipes.
+    once more, is another one now. Nothing is held of all that is written: a collection may have millions of recipes.
     """
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import front_door

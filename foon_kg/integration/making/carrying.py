@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from foon_kg.food import Tables, singular
+from foon_kg.food import Food, Tables, singular
 from foon_kg.food.lists import says, word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_baked, is_flat, is_heated
 from foon_kg.integration.joining.batters import binds
@@ -314,17 +314,12 @@ class Frying:
         return not self.plan.drunk and not pan.contents and self._is_dry(pan, comes)
 
     def keeps_dry(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
-        """Return whether what ``comes``, foods or what was shaped of some, fries dry in a ``pan``, and gives no fat.
-
-        Flat dough without fat in it (naan) is cooked so, and the fat that is asked is for the bread.
-        """
-        mixed = any(stuff.mixed and not says(stuff.states, "keeps its shape") for stuff in comes)
-        foods = [self.known.foods.food(food) for stuff in comes for food in stuff.foods]
-        dough = says([singular(stuff.label) for stuff in comes], "is cooked in a dry pan")
-        if dough and not any(food.is_a("fat") for food in foods):
+        """Return whether what ``comes``, foods or what was shaped of some, fries dry in a ``pan``, and gives no fat."""
+        if any(stuff.mixed and not says(stuff.states, "keeps its shape") for stuff in comes):
             return False
+        foods = [self.known.foods.food(food) for stuff in comes for food in stuff.foods]
         greasy = any(food.is_any(word_list("brings fat to the pan")) and not food.is_a("fat") for food in foods)
-        return self.is_due(pan, comes) and not mixed and not greasy
+        return self.is_due(pan, comes) and not greasy and not _is_dough_without_fat(comes, foods)
 
     def _is_dry(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
         """Whether something of what ``comes`` would burn in a ``pan``, and nothing wets that or has fat of its own."""
@@ -359,3 +354,9 @@ class Frying:
             for one in ("sets in a pan", "makes a batter", "sweetens eggs")
         )
         return eggs and (flour or not sweet)
+
+
+def _is_dough_without_fat(comes: Sequence[Stuff], foods: Sequence[Food]) -> bool:
+    """Whether flat dough ``comes`` without fat among its ``foods`` (naan): the fat that is asked is for the bread."""
+    dough = says([singular(stuff.label) for stuff in comes], "is cooked in a dry pan")
+    return dough and not any(food.is_a("fat") for food in foods)
