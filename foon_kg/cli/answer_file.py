@@ -98,7 +98,7 @@ def _may_answer(line: JsonObject, recipe: JsonObject) -> bool:
     asked, error = line["recipe"], line.get("error")
     if asked == recipe:
         return True
-    broken = isinstance(error, dict) and error.get("code") in _EXIT_CODES and isinstance(asked, dict)
+    broken = isinstance(error, dict) and error.get("code") in _EXIT_CODES
     return broken and asked.get("ingredients") == [] and asked.get("id") == recipe["id"]
 
 

@@ -147,7 +147,9 @@ class Tables:
         return found
 
     def state_called(self, name: str) -> str:
-        """Return as which listed state recipes mean the word ``name``, else ``name`` itself.
+        """Return as which listed state recipes mean ``name``, one word or several, else ``name`` itself.
+
+        Of several the last that is a cut counts, unless another says that it is cooked: then the cut is not all.
 
         >>> tables().state_called("julienne"), tables().state_called("thin slivers"), tables().state_called("smoky")
         ('julienned', 'slivered', 'smoky')
@@ -157,8 +159,11 @@ class Tables:
             return name
         if low in self._called:
             return self._called[low]
-        meant = (self._called.get(word, word) for word in reversed(low.split()))
-        return next((state for state in meant if state in self.states and "cut" in self.states[state].earns), name)
+        meant = [self._called.get(word, word) for word in reversed(low.replace(",", " ").split())]
+        listed = [state for state in meant if state in self.states]
+        if any("cook" in self.states[state].earns for state in listed):
+            return name
+        return next((state for state in listed if "cut" in self.states[state].earns), name)
 
     def motion(self, name: str) -> Motion:
         """Return what the motion ``name`` does: as the phrase is listed, else all that its words do."""

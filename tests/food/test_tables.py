@@ -16,7 +16,7 @@ from foon_kg.food.lists import word_list, word_lists
 from foon_kg.food.unknown import WordKind, unknown_words
 from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
-from foon_kg.model import ObjectNode
+from foon_kg.model import DISH_TYPES, ObjectNode
 from foon_kg.model.errors import ReadError
 
 SHARED = Path(__file__).resolve().parents[2] / ".." / "shared" / "data"
@@ -368,3 +368,15 @@ def test_a_cocktail_of_shrimps_is_no_drink():
 )
 def test_what_stands_in_brackets_names_a_dish_only_beside_a_name_that_nobody_knows(title, named):
     assert {dish.name for dish in tables().dishes_named(title)} == named
+
+
+def test_what_is_cooked_and_cut_is_not_only_cut():
+    called = tables().state_called
+    assert [called(name) for name in ("thin slivers", "raw slices")] == ["slivered", "sliced"]
+    assert [called(name) for name in ("cooked slices", "boiled, chopped")] == ["cooked slices", "boiled, chopped"]
+
+
+def test_each_list_of_what_stays_whole_is_of_a_dish_type():
+    types = {name.removeprefix("stays whole in ") for name in word_lists() if name.startswith("stays whole in ")}
+    assert types
+    assert types <= set(DISH_TYPES)
