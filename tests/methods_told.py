@@ -7,7 +7,7 @@ from foon_kg.integration.teaching.operators import MOST_SIGHTINGS
 
 def told(methods):
     """Every table of ``methods``; the values that nothing was counted for are left out."""
-    operators, posts = methods.operators, methods.posts
+    operators, joining = methods.operators, methods.joining_counts
     return {
         "evidence": {way: evidence_told(evidence) for way, evidence in operators.evidence.items()},
         "acts": {way: evidence_told(evidence) for way, evidence in operators.acts.items()},
@@ -17,9 +17,9 @@ def told(methods):
         "states": {name: sorted(states) for name, states in operators.states.items() if states},
         "foods": sorted(operators.foods),
         "ways": operators.ways,
-        "joins": {name: tuple(map(dict, found)) for name, found in posts.counts.items() if any(found)},
-        "beside": counts(posts.beside),
-        "cooked": counts(posts.cooked),
+        "joins": {name: tuple(map(dict, found)) for name, found in joining.counts.items() if any(found)},
+        "beside": counts(joining.beside),
+        "cooked": counts(joining.cooked),
         "cooked by": methods.cooked_by,
         "frames": methods.frames,
         "goals": methods.goals,

@@ -140,7 +140,7 @@ def _too_few(tree: TaskTree, kitchen: Kitchen) -> Iterator[Finding]:
     """Yield of what the tree takes more than there are in the kitchen that was named (C6)."""
     from foon_kg.validation import Finding
 
-    for leaf, needed, there in kitchen.short_of(tree.units):
+    for leaf, needed, there in kitchen.shortages(tree.units):
         yield Finding("C6", f"{needed} are needed, and the kitchen that was named has {there}", None, (leaf,))
 
 

@@ -55,7 +55,7 @@ class First:
     become: Sequence[str]
 
 
-def made_first(facts: Food, asked: str, told: Collection[str], *, cut: bool) -> Sequence[str]:
+def first_states(facts: Food, asked: str, told: Collection[str], *, cut: bool) -> Sequence[str]:
     """Return the states into which a food of which ``facts`` are known is brought before all else.
 
     ``asked`` is the state in which it is asked, ``told`` are the words of that and of its name; ``cut``: it is asked in

@@ -115,7 +115,7 @@ def fits(layouts: Iterable[Layout], asked: Asked, matcher: Matcher) -> list[Fit]
 def _fit(dish: Recorded, asked: Asked, matcher: Matcher) -> Fit:
     joins = matcher.joins(dish.layout, asked.wants, stacked=asked.stacked)
     alike = sum(join.slot is not None for join in joins) / len(joins)
-    return Fit(dish, joins, tuple(vetoes(dish, joins, asked)), score(dish, joins, asked, matcher.posts), alike)
+    return Fit(dish, joins, tuple(vetoes(dish, joins, asked)), score(dish, joins, asked, matcher.joining_counts), alike)
 
 
 def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -> list[str]:
@@ -123,11 +123,11 @@ def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -
 
     ``wants`` are the foods of the recipe; ``known`` are the tables that say what dishes need.
     """
-    lacked = lacking([want.facts for want in wants], dish_type, title, known)
+    lacked = unmet_needs([want.facts for want in wants], dish_type, title, known)
     return [f"no {name} without {_shown(needs)}" for name, needs in lacked]
 
 
-def lacking(foods: Sequence[Food], dish_type: str, title: str, known: Tables) -> list[tuple[str, Sequence[str]]]:
+def unmet_needs(foods: Sequence[Food], dish_type: str, title: str, known: Tables) -> list[tuple[str, Sequence[str]]]:
     """Return each dish of ``dish_type`` and ``title`` that none of ``foods`` makes, with what would.
 
     ``known`` are the tables that say what dishes need.

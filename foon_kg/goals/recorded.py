@@ -137,14 +137,16 @@ class Recorded:
     def ends_raw(self) -> bool:
         """Whether it is kneaded or shaped, and never heated as a whole: its video ends with balls of raw dough."""
         main = [spot for spot in self.layout.spots if not spot.side]
-        worked = any(spot.post[0] in {"knead", "shape"} for spot in main)
+        worked = any(spot.stage_type.work in {"knead", "shape"} for spot in main)
         return worked and not any("heat" in spot.stage.does for spot in main)
 
     @cached_property
     def worked_cold(self) -> tuple[Spot, ...]:
         """The stages at which it is kneaded or shaped, and not heated."""
         return tuple(
-            spot for spot in self.layout.spots if spot.post[0] in {"knead", "shape"} and "heat" not in spot.stage.does
+            spot
+            for spot in self.layout.spots
+            if spot.stage_type.work in {"knead", "shape"} and "heat" not in spot.stage.does
         )
 
     @cached_property

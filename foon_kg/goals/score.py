@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.names import BY_TITLE, BY_TYPE, named_alike
 from foon_kg.goals.recorded import Recorded
-from foon_kg.integration.joining.posts import Posts
+from foon_kg.integration.joining.joining_counts import JoiningCounts
 from foon_kg.integration.joining.spots import Join
 from foon_kg.model.drafted import is_draft
 
@@ -75,14 +75,14 @@ _AWKWARD = 0.2
 """What a frame is less worth that makes a batter in an odd way: not in a bowl; several times that for what is odder."""
 
 
-def score(dish: Recorded, joins: Sequence[Join], asked: Asked, posts: Posts) -> float:
+def score(dish: Recorded, joins: Sequence[Join], asked: Asked, counts: JoiningCounts) -> float:
     """Return how well ``dish``, a recorded one, suits what is ``asked``, a recipe whose foods join it by ``joins``.
 
-    More is better; the number compares dishes for one recipe and has no scale. ``posts`` are counts of where foods join
-    in all recorded dishes, and beside which others.
+    More is better; the number compares dishes for one recipe and has no scale. ``counts`` are how often foods join
+    where in all recorded dishes, and beside which others.
     """
     named = named_alike(dish.label, asked.dish_type, asked.title)
-    found = _places(dish, joins, asked) - _spoilt(joins, asked, posts)
+    found = _places(dish, joins, asked) - _spoilt(joins, asked, counts)
     found -= _NOT_DONE * sum(way.isdisjoint(dish.work_done) for way in asked.ways)
     found += _kind_of_dish(dish, joins, asked, named)
     found += min(_MOST_SHARED, _SHARED_WORD * len(asked.telling_words.intersection(dish.words) - dish.type_words))
@@ -119,15 +119,15 @@ def _share_taken(slots: Sequence[int], taken: set[int], untold: float) -> float:
     return (sum(slot in taken for slot in slots) + untold / 2) / (len(slots) + 0.5)
 
 
-def _spoilt(joins: Sequence[Join], asked: Asked, posts: Posts) -> float:
+def _spoilt(joins: Sequence[Join], asked: Asked, counts: JoiningCounts) -> float:
     """Return what counts against a dish in which foods would lose their form.
 
     A food that has a slot there is meant to; so is one of a kind that some video blends, kneads or shapes.
     """
     spoilt, ground = 0.0, 0
     for food, join in zip(asked.foods, joins, strict=True):
-        work = join.spot.post[0]
-        if join.slot is None and work in _CHANGES and posts.never(join.want, work):
+        work = join.spot.stage_type.work
+        if join.slot is None and work in _CHANGES and counts.never(join.want, work):
             spoilt += food.weight
         ground += work == "blend" and food.in_pieces
     cut = 0.0 if asked.smooth else _GROUND * min(ground, _MOST_GROUND)

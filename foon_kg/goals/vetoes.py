@@ -40,7 +40,7 @@ def _against_dressed(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Ite
 
 def _against_company(food: AskedFood, join: Join, dish: Recorded) -> Iterator[str]:
     """Yield what would go wrong with a ``food`` that has no place of its own in the dish, where it joins the others."""
-    label, work = join.want.label, join.spot.post[0]
+    label, work = join.want.label, join.spot.stage_type.work
     if food.runs and id(join.spot) in dish.layout.drained:
         yield f"{label} would run off"
     if work in {"knead", "shape"} and not food.worked_in:

@@ -9,9 +9,9 @@ from functools import cached_property
 from typing import Protocol
 
 from foon_kg.food import Tables, tables
+from foon_kg.integration.joining.joining_counts import JoiningCounts
 from foon_kg.integration.joining.layouts import Layout
 from foon_kg.integration.joining.outlines import Outline, Outlines
-from foon_kg.integration.joining.posts import Posts
 from foon_kg.integration.teaching.derivation import frames_of
 from foon_kg.integration.teaching.frames import Frame
 from foon_kg.integration.teaching.operators import Operators
@@ -41,9 +41,9 @@ class Methods:
         return cls(Operators(units, known), frames_from(units, goals, known), goals)
 
     @cached_property
-    def posts(self) -> Posts:
+    def joining_counts(self) -> JoiningCounts:
         """Where foods of each kind join."""
-        return Posts(self.frames, self.operators.known)
+        return JoiningCounts(self.frames, self.operators.known)
 
     @cached_property
     def layouts(self) -> Mapping[str, Layout]:
@@ -74,7 +74,7 @@ class Methods:
     def cooked_by(self) -> Mapping[str, tuple[str, ...]]:
         """By kind (or ``trait:…``) the motion by which such foods are most often cooked by themselves."""
         found = {}
-        for name, counts in self.posts.cooked.items():
+        for name, counts in self.joining_counts.cooked.items():
             motion = min(counts, key=lambda motion: (-counts[motion], motion))
             found[name] = (motion,)
         return found

@@ -11,7 +11,7 @@ from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import Food
 from foon_kg.food.techniques import Technique
 from foon_kg.goals.asked import Asked
-from foon_kg.goals.choice import Fit, has_mostly_its_foods, is_truly, lacking
+from foon_kg.goals.choice import Fit, has_mostly_its_foods, is_truly, unmet_needs
 from foon_kg.goals.score import missing_core, unexplained
 from foon_kg.integration.joining.course import Plan
 from foon_kg.integration.joining.spots import Join
@@ -120,11 +120,11 @@ def _core(recipe: Recipe, foods: Sequence[Food], known: Tables) -> tuple[Food, s
     None does where one of the foods is of its kind: a dish of pork lacks pork where there is lamb, and no other meat.
     """
     dish_type = made_as(recipe.dish_type, recipe.title or "", known)
-    lacks = lacking(foods, dish_type, recipe.title or "", known)
+    unmet = unmet_needs(foods, dish_type, recipe.title or "", known)
     food = known.foods.food(known.cores.get(dish_type, ""))
     there = any(one.known and one.is_of(food.kind) for one in foods)
-    does = lacks and not there and all(_is_one_of(needs, food, known) for _, needs in lacks)
-    return (food, lacks[0][0]) if does else None
+    does = unmet and not there and all(_is_one_of(needs, food, known) for _, needs in unmet)
+    return (food, unmet[0][0]) if does else None
 
 
 def _is_one_of(needs: Iterable[str], food: Food, known: Tables) -> bool:

@@ -24,7 +24,7 @@ from foon_kg.goals.choice import Fit, fits, refusals, shortlisted
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.composing.apart import apart
 from foon_kg.integration.composing.called import Called, arranged
-from foon_kg.integration.composing.drunk import can_be_blended, can_be_warmed
+from foon_kg.integration.composing.drinks import can_be_blended, can_be_warmed
 from foon_kg.integration.composing.listed import as_listed
 from foon_kg.integration.composing.parts import Part, parts_of
 from foon_kg.integration.final_tree import FinalTree, final_tree
@@ -208,7 +208,7 @@ class PlannedRecipe:
         self.asks = named_by(title, recipe.dish_type, [(want.label, want.facts) for want in self.wants])
         self.baked, self.parts = self._parted(own, _named_twice(asked))
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(foods)
-        self.matcher = Matcher(self.methods.posts, self.likes.in_slot, foods, self.teaching.joiners)
+        self.matcher = Matcher(self.methods.joining_counts, self.likes.in_slot, foods, self.teaching.joiners)
 
     def _parted(self, own: tuple[Want, ...], twice: Collection[str]) -> tuple[tuple[Want, ...], tuple[Part, ...]]:
         """Return the ``own`` foods of the dish itself, and what is put on it; ``twice`` are foods named repeatedly."""
@@ -291,9 +291,9 @@ class PlannedRecipe:
         line, joins, one_pot = arranged(frame.line, fit.joins, self.parts, called, self.known)
         label = frame.goal.label if has_its_name(fit, asked, dish_type, tin, self.technique) else dish_type
         plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased(asked), one_pot=one_pot)
-        drunk, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
+        is_drink, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
         fat = household_fat(self.wants, asked.title, self.kitchen, self.settings.avoided, bench.operators)
-        plan = replace(plan, drunk=drunk, cold=cold, cooled=asked.is_eaten_cold, by_bites=asked.by_bites, fat=fat)
+        plan = replace(plan, is_drink=is_drink, cold=cold, cooled=asked.is_eaten_cold, by_bites=asked.by_bites, fat=fat)
         plan = as_told(plan, asked, tin) if self.technique is None else replace(plan, by_table=True)
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
@@ -355,9 +355,9 @@ class PlannedRecipe:
 
     def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:
         """Return the leaves that are not in the kitchen that a person named, nearest to the goal first."""
-        lacking = self.kitchen.lacking(result.kitchen, result.units)
+        missing = self.kitchen.missing_leaves(result.kitchen, result.units)
         units = [(unit.input_nodes, unit.output_nodes) for unit in result.units]
-        return nearest_first(lacking, units, result.goal) if lacking else ()
+        return nearest_first(missing, units, result.goal) if missing else ()
 
     def _refuse_avoided(self, result: PlanResult) -> None:
         if not self.settings.avoided:

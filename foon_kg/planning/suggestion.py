@@ -228,7 +228,7 @@ class Larder:
         names = (node.label, *foods) if self.kitchen.is_food(node) else foods
         return tuple(name for name in dict.fromkeys(names) if not self.kitchen.is_free(name))
 
-    def lacking(self, node: ObjectNode) -> tuple[str, ...]:
+    def missing_in(self, node: ObjectNode) -> tuple[str, ...]:
         """Return the foods of ``node`` for which there is none at hand, and the utensil that it is or stands in."""
         foods = tuple(name for name in self.names_in(node) if self.own_for(name) is None)
         utensil = node.label if self.kitchen.is_utensil(node.label) else node.container
@@ -241,11 +241,11 @@ class Larder:
 
     def has(self, node: ObjectNode) -> bool:
         """Whether ``node`` is at hand, by one's own foods."""
-        return not self.lacking(node) and self.kitchen.has(self.mine(node))
+        return not self.missing_in(node) and self.kitchen.has(self.mine(node))
 
     def has_otherwise(self, node: ObjectNode) -> bool:
         """Return whether all foods of ``node`` are at hand, and it is not there as it is asked."""
-        return not self.lacking(node) and self.kitchen.lacks(self.mine(node))
+        return not self.missing_in(node) and self.kitchen.lacks(self.mine(node))
 
     def promise(self, goal: Goal) -> float:
         """Return how much of ``goal`` is there (0 to 1) by the names of its ingredients alone, mixtures apart."""
@@ -284,10 +284,10 @@ def _index(units: Sequence[KnownUnit], own: Larder) -> UnitIndex:
 
 def _cost(own: Larder, otherwise: Callable[[ObjectNode], int | None]) -> Callable[[ObjectNode], int]:
     def cost(node: ObjectNode) -> int:
-        lacking = [name for name in own.lacking(node) if not own.kitchen.is_utensil(name)]
-        if not lacking and own.lacking(node):
+        missing = [name for name in own.missing_in(node) if not own.kitchen.is_utensil(name)]
+        if not missing and own.missing_in(node):
             return ABSENT
-        foods = sum(_READY_MADE if name in own.mixed else 1 for name in lacking)
+        foods = sum(_READY_MADE if name in own.mixed else 1 for name in missing)
         return _MISSING * foods + (otherwise(own.mine(node)) or 1)
 
     return cost
@@ -307,9 +307,9 @@ def _proven(goal: Goal, index: UnitIndex, own: Larder, time_limit: float | None)
 def _suggested(goal: Goal, tree: ReferenceTree, own: Larder) -> Suggestion:
     """Return what the ``tree`` of ``goal`` takes of one's ``own`` foods, and what it lacks."""
     leaves = leaves_of(known.unit for known in tree.units)
-    lacking = {name for node in leaves for name in own.lacking(node)}
+    missing = {name for node in leaves for name in own.missing_in(node)}
     taken = own.taken({name for node in leaves for name in own.names_in(node)})
     used = {one.own for one in taken}
     unused = tuple(food for food in own.foods if food not in used)
     assumed = tuple(filter(own.has_otherwise, tree.gaps))
-    return Suggestion(goal, len(tree.units), taken, tuple(sorted(lacking)), assumed, unused, tree.exact)
+    return Suggestion(goal, len(tree.units), taken, tuple(sorted(missing)), assumed, unused, tree.exact)

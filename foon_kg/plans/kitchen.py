@@ -37,7 +37,7 @@ class LeafFault(StrEnum):
     MIXTURE = "a food made of other foods"
 
 
-class Short(NamedTuple):
+class Shortage(NamedTuple):
     """A leaf of which a tree needs so many (``needed``) as there are not: there are ``there`` called so."""
 
     leaf: ObjectNode
@@ -59,7 +59,7 @@ class Kitchen:
     >>> kitchen = Kitchen.default()
     >>> kitchen.is_utensil("frying pans"), kitchen.is_start_state("onion", "chopped")
     (True, False)
-    >>> kitchen.food_names, kitchen.made_so("onion"), kitchen.stands_as("onion", ["whole"]), kitchen.short_of([])
+    >>> kitchen.food_names, kitchen.made_so("onion"), kitchen.stands_as("onion", ["whole"]), kitchen.shortages([])
     ((), (), (), ())
     """
 
@@ -176,16 +176,16 @@ class Kitchen:
         """
         return ()
 
-    def lacking(self, leaves: Iterable[ObjectNode], units: Iterable[TreeUnit]) -> list[ObjectNode]:
+    def missing_leaves(self, leaves: Iterable[ObjectNode], units: Iterable[TreeUnit]) -> list[ObjectNode]:
         """Return the ``leaves`` of the tree of ``units`` that are not at hand, or not as often as it needs them.
 
-        >>> Kitchen.default().lacking([ObjectNode("truffle"), ObjectNode("wok")], [])
+        >>> Kitchen.default().missing_leaves([ObjectNode("truffle"), ObjectNode("wok")], [])
         []
         """
-        few = {short.leaf for short in self.short_of(units)}
+        few = {one.leaf for one in self.shortages(units)}
         return [leaf for leaf in leaves if leaf in few or self.lacks(leaf)]
 
-    def short_of(self, _: Iterable[TreeUnit]) -> tuple[Short, ...]:
+    def shortages(self, _: Iterable[TreeUnit]) -> tuple[Shortage, ...]:
         """Return of what a tree needs more than there are, as a person numbered them, in the order of its leaves."""
         return ()
 

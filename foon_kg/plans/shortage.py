@@ -51,14 +51,14 @@ def shortage(
     goal = plan.goal
     few = {
         one.leaf: f"{with_article(one.leaf.label)} ({one.needed} are needed, {one.there} there)"
-        for one in kitchen.short_of(plan.units)
+        for one in kitchen.shortages(plan.units)
     }
     food = next((node.label for node in missing if kitchen.is_food(node)), None)
     leave = "" if food is None else f", or leave out the {food}{_there_like(food, kitchen, alike)}"
     bought = _as_bought(missing, kitchen)
-    lacking = dict.fromkeys(few.get(node) or _called(node, kitchen) for node in bought)
+    lacked = dict.fromkeys(few.get(node) or _called(node, kitchen) for node in bought)
     return ShortageError(
-        f"the kitchen lacks {_in_a_row(lacking)} for {goal.label}",
+        f"the kitchen lacks {_in_a_row(lacked)} for {goal.label}",
         missing=missing,
         hint=f"{remedies(missing, kitchen)}{leave}. What is there after all has to be named as at hand.",
     )

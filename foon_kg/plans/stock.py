@@ -21,7 +21,7 @@ from foon_kg.food import singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import TreeUnit, things_found
-from foon_kg.plans.kitchen import Kitchen, Short, folded, is_place
+from foon_kg.plans.kitchen import Kitchen, Shortage, folded, is_place
 from foon_kg.plans.named import called, held_in, in_place, is_heating, is_told, is_vessel, places_of, says, starts_empty
 
 ALWAYS_THERE = word_list("always there")
@@ -198,14 +198,14 @@ class StockedKitchen(Kitchen):
             return True
         return bool(self.foods_in(node)) and self._is_filled_so(node)
 
-    def short_of(self, units: Iterable[TreeUnit]) -> tuple[Short, ...]:
+    def shortages(self, units: Iterable[TreeUnit]) -> tuple[Shortage, ...]:
         """Return of what the tree of ``units`` needs more than there are, as a person numbered them.
 
         >>> from foon_kg.model.tree import Mention, Step
         >>> bowl = ObjectNode("bowl")
         >>> stack = TreeUnit(Step((Mention(bowl, 1), Mention(bowl, 2)), "stack", ()))
-        >>> short = StockedKitchen.of(Kitchen.default(), [bowl], numbers={"bowl": 1}).short_of([stack])
-        >>> [(one.leaf.label, one.needed, one.there) for one in short]
+        >>> found = StockedKitchen.of(Kitchen.default(), [bowl], numbers={"bowl": 1}).shortages([stack])
+        >>> [(one.leaf.label, one.needed, one.there) for one in found]
         [('bowl', 2, 1)]
         """
         found = [(node, len(things)) for node, things in things_found(units).items() if self._is_numbered(node)]
@@ -214,7 +214,7 @@ class StockedKitchen(Kitchen):
             needed[singular(node.label)] += number
         leaves = {singular(node.label): node for node, _ in found}
         numbers = ((leaf, needed[name], self.numbers[name]) for name, leaf in leaves.items())
-        return tuple(Short(leaf, number, there) for leaf, number, there in numbers if number > there)
+        return tuple(Shortage(leaf, number, there) for leaf, number, there in numbers if number > there)
 
     def _is_numbered(self, node: ObjectNode) -> bool:
         """Whether a person said how many there are of a utensil; what food is sold in comes with that."""

@@ -13,10 +13,12 @@ from foon_kg.search.problem import NoWayError, SearchProblem
 
 def no_way(problem: SearchProblem, targets: Sequence[ObjectNode]) -> NoWayError:
     """Return the error that says why nothing makes any of the ``targets`` (at least one) of ``problem``."""
-    return lacking(targets, tuple(dict.fromkeys(n for target in targets for n in missing_behind(problem, target))))
+    return no_way_without(
+        targets, tuple(dict.fromkeys(n for target in targets for n in missing_behind(problem, target)))
+    )
 
 
-def lacking(targets: Sequence[ObjectNode], missing: tuple[ObjectNode, ...]) -> NoWayError:
+def no_way_without(targets: Sequence[ObjectNode], missing: tuple[ObjectNode, ...]) -> NoWayError:
     """Return the error that says that nothing makes any of the ``targets`` for want of what is ``missing``."""
     goal = " or ".join(map(str, targets[:MOST_NAMED]))
     return NoWayError(

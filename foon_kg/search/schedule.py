@@ -45,7 +45,7 @@ class _Queue:
     """The units that wait, by number, in the order of their keys.
 
     ``takers`` and ``consumers`` are, for each node, the units that take it and those of them that use it up.
-    ``lacking`` counts the inputs of a unit that are not there yet, ``makers`` the other units to come that make them
+    ``awaited`` counts the inputs of a unit that are not there yet, ``makers`` the other units to come that make them
     too (none, unless whoever takes a node waits for all its makers), and ``needed`` how often others need what it uses
     up: made nodes, and nodes that were there. In the heap ``ready`` only the latest entry of a unit counts.
     """
@@ -54,7 +54,7 @@ class _Queue:
     there: Collection[ObjectNode]
     takers: defaultdict[ObjectNode, list[int]]
     consumers: defaultdict[ObjectNode, list[int]]
-    lacking: list[int]
+    awaited: list[int]
     makers: list[int]
     needed: list[list[int]]
     ready: list[Urgency] = field(default_factory=list)
@@ -73,8 +73,8 @@ class _Queue:
             others = len(takers[node]) - 1 + (node in last.unit.input_nodes)
             for number in numbers:
                 needed[number][node in there] += others
-        lacking = [sum(node not in there for node in known.unit.input_nodes) for known in units]
-        return cls(units, there, takers, consumers, lacking, [0] * len(units), needed)
+        awaited = [sum(node not in there for node in known.unit.input_nodes) for known in units]
+        return cls(units, there, takers, consumers, awaited, [0] * len(units), needed)
 
     def waiting_for_all_makers(self) -> _Queue:
         """Return this queue, to be asked before any unit is taken out, where no maker of a node is too late."""
@@ -104,7 +104,7 @@ class _Queue:
                 changed.append(number)
         for node in unit.output_nodes:
             for number in self.takers[node]:
-                self.lacking[number] -= node not in have
+                self.awaited[number] -= node not in have
                 self.makers[number] -= self.makers[number] > 0 and number != chosen
                 changed.append(number)
             have.add(node)
@@ -118,7 +118,7 @@ class _Queue:
 
     def _put(self, numbers: Iterable[int]) -> None:
         for number in numbers:
-            if not self.lacking[number]:
+            if not self.awaited[number]:
                 heappush(self.ready, self._urgency(number))
 
     def _urgency(self, number: int) -> Urgency:
@@ -130,7 +130,7 @@ class _Queue:
         while done[self.ready[0][-1]] or self.ready[0] != self._urgency(self.ready[0][-1]):
             heappop(self.ready)
         *urgency, first = self.ready[0]
-        ready = (number for number in fresh if not self.lacking[number])
+        ready = (number for number in fresh if not self.awaited[number])
         return min((number for number in ready if [*self._urgency(number)[:-1]] == urgency), default=first)
 
 
@@ -155,17 +155,17 @@ def last_of(units: Sequence[KnownUnit], there: Collection[ObjectNode], goal: Obj
 
 def _can_all_run(units: Sequence[KnownUnit], there: Collection[ObjectNode]) -> bool:
     takers: defaultdict[ObjectNode, list[int]] = defaultdict(list)
-    lacking = [0] * len(units)
+    awaited = [0] * len(units)
     for number, known in enumerate(units):
         for node in known.unit.input_nodes:
             if node not in there:
                 takers[node].append(number)
-                lacking[number] += 1
-    running = [number for number, count in enumerate(lacking) if not count]
+                awaited[number] += 1
+    running = [number for number, count in enumerate(awaited) if not count]
     for number in running:  # grows while it is read
         for node in units[number].unit.output_nodes:
             for taker in takers.pop(node, ()):
-                lacking[taker] -= 1
-                if not lacking[taker]:
+                awaited[taker] -= 1
+                if not awaited[taker]:
                     running.append(taker)
     return len(running) == len(units)

@@ -114,7 +114,7 @@ class WithDrafts:
         operators = DraftedOperators(videos, drafts, tables())
         found = Methods(operators, tuple(frames), self.goals())
         if taught.frames:
-            vars(found)["posts"] = taught.posts
+            vars(found)["joining_counts"] = taught.joining_counts
         return found
 
     def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:

@@ -39,7 +39,7 @@ def wants(**foods):
 
 
 def chosen(asked, dish_type, title="", layouts=LAYOUTS):
-    return fits(layouts, Asked(asked, dish_type, title, KNOWN), Matcher(METHODS.posts, LIKES.alike, asked))
+    return fits(layouts, Asked(asked, dish_type, title, KNOWN), Matcher(METHODS.joining_counts, LIKES.alike, asked))
 
 
 def layout(video):
@@ -79,7 +79,7 @@ def test_each_food_joins_once_and_in_its_own_form_where_the_dish_has_such_a_food
 def test_of_equally_like_foods_the_first_is_the_place():
     both = Likes({("kohlrabi", "onion"): 0.9, ("kohlrabi", "potato"): 0.9})
     asked = Asked(wants(kohlrabi="diced"), "soup", "", KNOWN)
-    (best,) = fits([layout("forgetful_soup")], asked, Matcher(METHODS.posts, both.alike, asked.wants))
+    (best,) = fits([layout("forgetful_soup")], asked, Matcher(METHODS.joining_counts, both.alike, asked.wants))
     assert [slot.food for slot in layout("forgetful_soup").frame.line.all_slots()].index("potato") == 1
     assert best.joins[0].slot.food == "potato"
 
@@ -88,7 +88,7 @@ def test_of_equally_like_foods_the_first_is_the_place():
 def test_what_does_the_same_in_a_dish_takes_the_slot_as_sure_as_that_is(food, taken):
     likes = Likes({(food, "butter"): 0.6})
     asked = Asked(wants(**{food.replace(" ", "_"): "liquid"}), "cake", "", KNOWN)
-    (best,) = fits([layout("plain_cake")], asked, Matcher(METHODS.posts, likes.alike, asked.wants))
+    (best,) = fits([layout("plain_cake")], asked, Matcher(METHODS.joining_counts, likes.alike, asked.wants))
     assert (best.joins[0].slot and best.joins[0].slot.food) == taken
 
 
@@ -224,7 +224,7 @@ def test_what_is_kept_of_other_recipes_changes_no_choice(asked):
     joiners = Joiners()
     for foods, dish_type in asked * 2:
         question = Asked(foods, dish_type, "", KNOWN)
-        kept = fits(LAYOUTS, question, Matcher(METHODS.posts, LIKES.alike, foods, joiners))
+        kept = fits(LAYOUTS, question, Matcher(METHODS.joining_counts, LIKES.alike, foods, joiners))
         assert kept == chosen(foods, dish_type)
         assert all([join.want for join in fit.joins] == list(foods) for fit in kept)
 
@@ -238,7 +238,7 @@ def is_plain(one):
 
 def best_place(one, food, alike):
     """Return the slot that a food takes and how well: of all places that are looked at, the first of the best."""
-    likely = {post: METHODS.posts.likely(food, post, one.frame.dish_type) for post in one.posts}
+    likely = {kind: METHODS.joining_counts.likely(food, kind, one.frame.dish_type) for kind in one.stage_types}
     needs = {n for dish in KNOWN.dishes_named(one.frame.dish_type) for ns in dish.needs for n in ns}
     mine = {need for need in needs if is_need(need, food.facts)}
     rows = [(NATURAL - 1e-9, None)]
@@ -251,7 +251,7 @@ def best_place(one, food, alike):
         fit = 1.0 if slot.food in {singular(food.label), food.facts.taken_for} else fit
         if mine & place.needs or (mine and place.main and food.facts.is_a(*MAIN)):
             fit = max(fit, 0.55)
-        share = likely[place.spot.post] / max(likely.values())
+        share = likely[place.spot.stage_type] / max(likely.values())
         if NATURAL <= fit < 0.99 and not same:
             fit *= 0.6 + 0.4 * share if share >= 0.75 else 0.0
         rows.append((fit, slot))
@@ -269,7 +269,7 @@ def test_a_food_takes_the_best_place_of_all(foods, one, sure):
     kept = [food for food in foods if not food.facts.is_a("herb", "made", "dough", "ready")]
     pairs = ((food, place) for food in kept for place in one.places)
     likes = Likes({(singular(f.label), p.slot.food): sure[n % 9] for n, (f, p) in enumerate(pairs)})
-    for join in Matcher(METHODS.posts, likes.alike, kept).joins(one, kept):
+    for join in Matcher(METHODS.joining_counts, likes.alike, kept).joins(one, kept):
         fit, slot = best_place(one, join.want, likes.alike)
         assert join.slot is slot
         assert slot is None or join.fit == pytest.approx(fit)

@@ -250,7 +250,7 @@ def test_the_stages_of_a_dish_are_those_of_its_frame(connection):
 
 @pytest.mark.neo4j
 def test_where_a_kind_joins_is_what_is_counted_over_frames(connection):
-    expected = SNAPSHOT.methods().posts.counts["oil", ""][0]
+    expected = SNAPSHOT.methods().joining_counts.counts["oil", ""][0]
     counted = Counter()
     for work, _, _, times, _ in ask(connection, "where_kind_joins", kind="oil"):
         counted[work] += times

@@ -6,7 +6,7 @@ from integration.school import SNAPSHOT
 
 from foon_kg.food import tables
 from foon_kg.integration.joining.course import Course, Plan
-from foon_kg.integration.joining.spots import Join, Spot
+from foon_kg.integration.joining.spots import Join, Spot, StageType
 from foon_kg.integration.preparing.understanding import wants_of
 from foon_kg.integration.teaching.frames import Line, Stage
 from foon_kg.model import RequiredIngredient
@@ -20,7 +20,8 @@ def stage(motion, does, *, vessel="bowl", appliance="", adds=()):
 def joins_at(line, number, *foods):
     """Return these foods as they join one stage of a line."""
     asked = [RequiredIngredient(*food.split("/")) if "/" in food else RequiredIngredient(food, "") for food in foods]
-    spot = Spot((number,), line.stages[number], ("mix", "never", False), False, line.stages[number + 1 :])
+    mixed = StageType("mix", "never", joins=False)
+    spot = Spot((number,), line.stages[number], mixed, False, line.stages[number + 1 :])
     return tuple(Join(want, spot, 0.5) for want in wants_of(asked, tables(), SNAPSHOT.methods().operators))
 
 

@@ -12,7 +12,7 @@ from integration.told import KITCHEN, snapshot_of
 
 from foon_kg.food import tables
 from foon_kg.integration.composing.coated import coated_alone, coated_apart
-from foon_kg.integration.composing.drunk import garnished, stirred
+from foon_kg.integration.composing.drinks import garnished, stirred
 from foon_kg.integration.composing.folded import folded, is_folded
 from foon_kg.integration.composing.parts import baked_at_last
 from foon_kg.integration.composing.pots import is_never_heated, unheated, unmixed

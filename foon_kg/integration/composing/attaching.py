@@ -13,12 +13,16 @@ from foon_kg.integration.composing.components import Side, are
 from foon_kg.integration.composing.techniques import carried_out, stage_of
 from foon_kg.integration.joining.course import COATS, MIXES
 from foon_kg.integration.joining.patterns import line_with, with_line, with_replaced
-from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot, is_ladled, only_carries, spots_of
-from foon_kg.integration.teaching.frames import Line, Stage
+from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot, StageType, is_ladled, only_carries, spots_of
+from foon_kg.integration.teaching.frames import ADDED, Line, Stage
 
 # where foods of a component are before its line is made: they join no stage of the dish
 _NOWHERE = Spot(
-    (), Stage((), "", frozenset(), (), "", "", "", "", "", (), -1), ("top", "never", False), side=False, after=()
+    (),
+    Stage((), "", frozenset(), (), "", "", "", "", "", (), ADDED),
+    StageType("top", "never", joins=False),
+    side=False,
+    after=(),
 )
 
 

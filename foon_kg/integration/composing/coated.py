@@ -9,7 +9,7 @@ from foon_kg.food import Tables, tables, words
 from foon_kg.food.lists import says, word_list
 from foon_kg.integration.joining.course import COATS
 from foon_kg.integration.joining.patterns import BAKE, COOK, MIX, SIMMER, STIR, TOP, TURN
-from foon_kg.integration.joining.spots import NATURAL, Join, any_is
+from foon_kg.integration.joining.spots import NATURAL, Join, StageType, any_is
 from foon_kg.integration.preparing.preparation import Want, owed
 from foon_kg.integration.teaching.frames import Line, Stage
 
@@ -24,8 +24,8 @@ _BATH = replace(_MIX, motion=min(word_list("is turned in by")), does=COATS)
 _FINE = min(word_list("is called so when it is fine"))
 _THICK = min(word_list("is called so when it is beaten"))
 
-_POST = ("mix", "later", True)
-"""The post of what is mixed apart and fried then (:data:`~foon_kg.integration.joining.spots.Post`)."""
+_FRIED_AFTER = StageType("mix", "later", joins=True)
+"""The stage type of what is mixed apart and fried then (:class:`~foon_kg.integration.joining.spots.StageType`)."""
 
 _BESIDE = word_list("is served with what is fried")
 
@@ -165,7 +165,9 @@ def coated_apart(
         if stage is None:
             return replace(join, spot=replace(join.spot, stage=served)) if join.spot.stage is last else join
         want = replace(join.want, cooked=False) if join in flesh else join.want
-        return Join(want, replace(join.spot, stage=stage, post=_POST, after=(*hot, served), side=True), NATURAL)
+        return Join(
+            want, replace(join.spot, stage=stage, stage_type=_FRIED_AFTER, after=(*hot, served), side=True), NATURAL
+        )
 
     return Line((*line.stages[:-1], served)), tuple(map(moved, joins))
 

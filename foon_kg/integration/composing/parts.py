@@ -9,9 +9,9 @@ from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import says, word_list
 from foon_kg.integration.composing.techniques import stage_of
 from foon_kg.integration.joining.batters import is_of_batter, is_of_dough
-from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot, any_is, only_carries
+from foon_kg.integration.joining.spots import UNNATURAL, Join, Spot, StageType, any_is, only_carries
 from foon_kg.integration.preparing.preparation import SECOND, Want
-from foon_kg.integration.teaching.frames import Line, Slot, Stage
+from foon_kg.integration.teaching.frames import ADDED, Line, Slot, Stage
 
 
 @dataclass(frozen=True)
@@ -182,7 +182,7 @@ def _put_on(stages: list[Stage], joins: list[Join], part: Part) -> tuple[list[St
         old, target = target, replace(target, adds=(*target.adds, *adds))
         stages, joins = _replaced(stages, joins, old, target)
     path = (len(stages), 0) if mixing else (len(stages),)
-    spot = Spot(path, mixing or target, ("top", "before", False), side=False, after=())
+    spot = Spot(path, mixing or target, StageType("top", "before", joins=False), side=False, after=())
     return stages, [*joins, *(Join(want, spot, UNNATURAL, _slot(want, part, mixing)) for want in part.wants)]
 
 
@@ -199,7 +199,7 @@ def _baked_with(stages: Sequence[Stage], part: Part) -> Stage | None:
 def _at_the_end(last: Stage, part: Part, adds: tuple[Line, ...]) -> list[Stage]:
     """Return the stages at which a part comes on what is done after the ``last`` one; on what is hot it would melt."""
     on_it = _stage(part.motion, "plate", adds)
-    cooled = last.step < 0  # by another part: those stages are of no video
+    cooled = last.is_added  # by another part
     return [on_it] if cooled else [_stage("cool down", "plate", ()), on_it]
 
 
@@ -214,11 +214,13 @@ def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tu
     """Return stages in which the batter comes onto a base that was pressed in the tin."""
     place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), len(stages))
     mixing = _mixing(part)
-    pressed = Stage((Line((mixing,)),), "press", frozenset({"shape"}), (), tin, "in", "", "", "", (), -1)
+    pressed = Stage((Line((mixing,)),), "press", frozenset({"shape"}), (), tin, "in", "", "", "", (), ADDED)
     before = (Line(tuple(stages[:place])),) if place else ()
     old = stages[place] if place < len(stages) else _cold("chill")
     new = replace(old, adds=(*before, *old.adds), vessel=tin, relation="in")
-    spot = Spot(path=(0, 0), stage=mixing, post=("mix", "later", True), side=True, after=(pressed, new))
+    spot = Spot(
+        path=(0, 0), stage=mixing, stage_type=StageType("mix", "later", joins=True), side=True, after=(pressed, new)
+    )
     moved = [_moved(join, old, new) for join in joins]
     moved += [Join(want, spot, UNNATURAL) for want in part.wants]
     return [pressed, new, *stages[place + 1 :]], moved
@@ -238,8 +240,8 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
         return line, tuple(joins)
     stages = _without_idle_end(line.stages, joins)
     does = frozenset({"dry", "heat"})
-    last = Stage((), "bake", does, (), "baking dish", "in", "oven", "heat", "", ("baked",), -1)
-    spot = Spot(path=(len(stages),), stage=last, post=("bake", "now", False), side=False, after=())
+    last = Stage((), "bake", does, (), "baking dish", "in", "oven", "heat", "", ("baked",), ADDED)
+    spot = Spot(path=(len(stages),), stage=last, stage_type=StageType("bake", "now", joins=False), side=False, after=())
     tops = [join for join in joins if join.want.facts.is_any(word_list("is browned on top"))]
     return Line((*stages, last)), _laid_at(spot, joins, tops)
 
@@ -284,7 +286,7 @@ def _browned_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) ->
 
 def _spot_of(bakes: Stage, stages: Sequence[Stage]) -> Spot:
     place = next(place for place, stage in enumerate(stages) if stage is bakes)
-    return Spot((place,), bakes, ("bake", "now", False), side=False, after=tuple(stages[place + 1 :]))
+    return Spot((place,), bakes, StageType("bake", "now", joins=False), side=False, after=tuple(stages[place + 1 :]))
 
 
 def _strewn_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> tuple[Join, ...]:
@@ -301,7 +303,7 @@ def _strewn_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> 
 
 
 def _cold(motion: str) -> Stage:
-    return Stage((), motion, frozenset({"wait"}), (), "", "in", "refrigerator", "cold", "", (), -1)
+    return Stage((), motion, frozenset({"wait"}), (), "", "in", "refrigerator", "cold", "", (), ADDED)
 
 
 def _moved(join: Join, old: Stage, new: Stage) -> Join:
@@ -315,4 +317,4 @@ def _mixing(part: Part) -> Stage:
 
 def _stage(motion: str, vessel: str, adds: tuple[Line, ...]) -> Stage:
     does = frozenset({"wait"} if motion in word_list("cools") else {"coat", "move"})
-    return Stage(adds, motion, does, (), vessel, "on", "", "", "", (), -1)
+    return Stage(adds, motion, does, (), vessel, "on", "", "", "", (), ADDED)

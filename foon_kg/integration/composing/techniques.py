@@ -29,6 +29,7 @@ from foon_kg.integration.joining.spots import NATURAL, Join, spots_of
 from foon_kg.integration.preparing.preparation import BY_HAND, JUICE, SECOND, Want, is_left_whole
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import (
+    ADDED,
     BATH,
     THINNED,
     Asked,
@@ -152,7 +153,7 @@ def stage_of(name: str) -> Stage:
     work = works()[name]
     return Stage(
         (), work.motion, work.does, work.tools, work.vessel, work.relation, work.appliance, work.source, work.label,
-        work.states, -1,
+        work.states, ADDED,
     )  # fmt: skip
 
 

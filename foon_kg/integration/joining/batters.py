@@ -51,7 +51,7 @@ def batter_of(spots: Sequence[Spot], known: Tables) -> Batter | None:
 
 def _mixed(spots: Sequence[Spot], known: Tables) -> dict[Spot, list[Food]]:
     """Return the stages at which something is mixed that is heated later, with the foods that join there."""
-    mixing = (spot for spot in spots if spot.post[0] in _MIXES and _is_before_the_heat(spot))
+    mixing = (spot for spot in spots if spot.stage_type.work in _MIXES and _is_before_the_heat(spot))
     return {spot: [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots] for spot in mixing}
 
 

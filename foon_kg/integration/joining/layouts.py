@@ -9,7 +9,7 @@ from functools import cached_property
 from foon_kg.food import Food, Level, Tables, singular
 from foon_kg.food.lists import word_list
 from foon_kg.integration.joining.batters import Batter, batter_of
-from foon_kg.integration.joining.spots import Post, Spot, only_carries, spots_of
+from foon_kg.integration.joining.spots import Spot, StageType, only_carries, spots_of
 from foon_kg.integration.teaching.frames import Frame, Slot
 
 MAIN = word_list("is the main part")
@@ -78,9 +78,9 @@ class Layout:
         return frozenset(place.slot.food for place in self.places)
 
     @cached_property
-    def posts(self) -> tuple[Post, ...]:
-        """The posts of its places, each once."""
-        return tuple(dict.fromkeys(place.spot.post for place in self.places))
+    def stage_types(self) -> tuple[StageType, ...]:
+        """The stage types of its places, each once."""
+        return tuple(dict.fromkeys(place.spot.stage_type for place in self.places))
 
     @cached_property
     def apart(self) -> tuple[Spot, ...]:
@@ -101,7 +101,7 @@ class Layout:
     @cached_property
     def done(self) -> tuple[Spot, ...]:
         """The stages of the dish itself that come when it is cooked."""
-        return tuple(spot for spot in self.spots if spot.post[1] == "before" and not spot.side)
+        return tuple(spot for spot in self.spots if spot.stage_type.heated == "before" and not spot.side)
 
     @cached_property
     def cold_lines(self) -> Mapping[tuple[int, ...], frozenset[str]]:
@@ -170,7 +170,7 @@ def _is_open(spot: Spot, known: Tables) -> bool:
     """Whether foods without a slot may join at a stage: not where a batter or dough is only baked in its tin."""
     if not spot.stage.adds:
         return False
-    if spot.post[0] != "bake":
+    if spot.stage_type.work != "bake":
         return True
     return _are_more_than_dusted(_foods_at(spot, known))
 
@@ -182,7 +182,7 @@ def _made(spots: Sequence[Spot], known: Tables) -> Iterator[Made]:
         facts = known.foods.food(label)
         if label and spot.after and facts.is_a("made", "dough"):
             following = next(other for other in spots if other.stage is spot.after[0])
-            shaped = spot.post[0] == "shape"
+            shaped = spot.stage_type.work == "shape"
             yield Made(frozenset(label.split()), facts.is_a("dough"), shaped, spot.stage.label, following)
 
 
@@ -195,8 +195,10 @@ def _is_drained(spot: Spot, known: Tables) -> bool:
 def _bound(spots: Sequence[Spot]) -> Spot | None:
     """Return the stage at which the mass of patties is mixed, in a dish that is made of such."""
     for number, spot in enumerate(spots):
-        if spot.post[0] == "shape" and spot.heats_later and "heat" not in spot.stage.does:
-            before = [one for one in spots[:number] if one.stage.adds and one.post[0] == "mix" and one.heats_later]
+        if spot.stage_type.work == "shape" and spot.heats_later and "heat" not in spot.stage.does:
+            before = [
+                one for one in spots[:number] if one.stage.adds and one.stage_type.work == "mix" and one.heats_later
+            ]
             return before[-1] if before else None
     return None
 
@@ -206,7 +208,7 @@ def _beaten(spots: Sequence[Spot], known: Tables) -> Spot | None:
     for spot in spots:
         foods = _foods_at(spot, known)
         eggs = any(food.is_a("egg") for food in foods) and not any(food.is_a("flour", "leaven") for food in foods)
-        if eggs and spot.post[:2] == ("mix", "later") and not any("liquid" in stage.does for stage in spot.after):
+        if eggs and spot.stage_type[:2] == ("mix", "later") and not any("liquid" in stage.does for stage in spot.after):
             return spot
     return None
 
@@ -222,7 +224,7 @@ def _pan(spots: Sequence[Spot], bound: Spot | None) -> Spot | None:
 def _turned(spots: Sequence[Spot]) -> Spot | None:
     """Return where a dish is served that is made of a mass and fried on both sides."""
     turns = any("turn" in spot.stage.does for spot in spots if not spot.side or spot.heats_later)
-    mixes = any(spot.post[0] == "mix" and spot.heats_later for spot in spots)
+    mixes = any(spot.stage_type.work == "mix" and spot.heats_later for spot in spots)
     return spots[-1] if turns and mixes and only_carries(spots[-1].stage) else None
 
 
@@ -251,7 +253,7 @@ def _are_more_than_dusted(foods: Iterable[Food]) -> bool:
 
 def _only_shapes(spot: Spot) -> bool:
     """Whether what is there is rolled out or shaped before it is heated, and nothing joins it."""
-    return spot.post[0] == "shape" and spot.heats_later and not any(spot.stage.slots)
+    return spot.stage_type.work == "shape" and spot.heats_later and not any(spot.stage.slots)
 
 
 def _stays_raw(place: Place, dish_type: str, known: Tables) -> bool:

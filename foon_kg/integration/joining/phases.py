@@ -141,7 +141,7 @@ class _Phaser:
         unique = list({id(one): one for before in (old.stage, *old.after) for one in self._now(before)}.values())
         spot = self.spot.get(join.want.number, old.stage)
         here = next((place for place, one in enumerate(unique) if one is spot), 0)
-        now = Spot(old.path, unique[here], old.post, old.side, tuple(unique[here + 1 :]))
+        now = Spot(old.path, unique[here], old.stage_type, old.side, tuple(unique[here + 1 :]))
         return Join(join.want, now, join.fit, join.slot, join.layer, join.on_top)
 
     def _now(self, stage: Stage) -> Iterator[Stage]:

@@ -15,8 +15,8 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.rows import CHOPPED
 from foon_kg.integration.joining.batters import as_batter, is_of_batter, is_of_dough
 from foon_kg.integration.joining.joiners import Joiner, Joiners
+from foon_kg.integration.joining.joining_counts import JoiningCounts
 from foon_kg.integration.joining.layouts import Layout, Place, is_need
-from foon_kg.integration.joining.posts import Posts
 from foon_kg.integration.joining.rearranging import in_its_layer, on_ready_dough, where_it_is_stacked, without_lone
 from foon_kg.integration.joining.spots import IN_PLACE, NATURAL, UNNATURAL, Join, Spot, only_carries
 from foon_kg.integration.preparing.preparation import Want, owed
@@ -64,7 +64,7 @@ def _lies_on(layout: Layout, want: Want, best: Join, known: Tables) -> bool:
 
 def _in_the_pan(layout: Layout, join: Join) -> Join:
     """Let what a video fries by itself and brings to the dish when that is done fry in the dish's own pan."""
-    late = join.slot is not None and bool(join.slot.cooked) and join.spot.post[1] == "before"
+    late = join.slot is not None and bool(join.slot.cooked) and join.spot.stage_type.heated == "before"
     due = {"cook", "boil"} & join.want.facts.owes.keys()
     hot = next((spot for spot in layout.spots if not spot.side and "heat" in spot.stage.does), None)
     return replace(join, spot=hot, slot=None) if late and not due and hot is not None else join
@@ -72,7 +72,9 @@ def _in_the_pan(layout: Layout, join: Join) -> Join:
 
 def _is_worked_in_or_late(join: Join | None) -> bool:
     """Whether a place is one that a food keeps, though it loses by cooking: in a mass, or when the dish is done."""
-    return join is not None and (join.spot.post[0] in {"shape", "knead"} or join.spot.post[1] in {"before", "never"})
+    return join is not None and (
+        join.spot.stage_type.work in {"shape", "knead"} or join.spot.stage_type.heated in {"before", "never"}
+    )
 
 
 def _weighed(fit: float, layout: Layout, food: Joiner, spot: Spot) -> float:
@@ -94,10 +96,14 @@ class Matcher:
     """
 
     def __init__(
-        self, posts: Posts, like: Callable[[str, str], float], wants: Sequence[Want], joiners: Joiners | None = None
+        self,
+        counts: JoiningCounts,
+        like: Callable[[str, str], float],
+        wants: Sequence[Want],
+        joiners: Joiners | None = None,
     ) -> None:
-        self.posts = posts
-        self.known = posts.known
+        self.joining_counts = counts
+        self.known = counts.known
         self.like = like
         self._joiners = (joiners or Joiners()).of(wants, self.known)
 
@@ -216,8 +222,8 @@ class Matcher:
         """
         if food.main and place.main and place.spot is layout.bound:
             return 1.0  # patties are made of whatever they are made of
-        usual = max(self.posts.likely(food.want, post, layout.frame.dish_type) for post in layout.posts)
-        ratio = self.posts.likely(food.want, place.spot.post, layout.frame.dish_type) / usual
+        usual = max(self.joining_counts.likely(food.want, one, layout.frame.dish_type) for one in layout.stage_types)
+        ratio = self.joining_counts.likely(food.want, place.spot.stage_type, layout.frame.dish_type) / usual
         return _UNSEEN + _SEEN * ratio if ratio >= _AS_USUAL else 0.0
 
     def _usual(self, layout: Layout, food: Joiner) -> Join:
@@ -227,10 +233,10 @@ class Matcher:
             return food.at(layout.past)  # what is only boiled and drained is dressed afterwards
         found, most, best = layout.spots[0], 0.0, -1.0
         for spot in layout.apart:
-            if spot.post[0] == "top" and not food.tops:
+            if spot.stage_type.work == "top" and not food.tops:
                 continue
-            likely = self.posts.likely(want, spot.post, dish_type)
-            company = self.posts.company(want.facts.kind, spot.kinds)
+            likely = self.joining_counts.likely(want, spot.stage_type, dish_type)
+            company = self.joining_counts.company(want.facts.kind, spot.kinds)
             fit = min(likely * (_UNSEEN + _SEEN * company), UNNATURAL)
             score = _weighed(fit, layout, food, spot)
             if score > best:

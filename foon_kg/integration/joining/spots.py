@@ -1,22 +1,32 @@
 """Where foods join: the stages of a frame as spots, and the join of one asked food at one of them.
 
-Stages of different dishes are compared by their *post*: what is done to the whole there, whether it is heated then or
-later, and whether they are the dish's own line or one that joins it.
+Stages of different dishes are compared by their :class:`StageType`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
+from typing import NamedTuple
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import Line, Slot, Stage
 from foon_kg.model.values import made_often
 
-Post = tuple[str, str, bool]
-"""What is done (``blend``, ``knead``, ``mix``, ``heat``, ``bake``, ``boil``, ``shape``, ``rest``, ``top``), when it is
-heated (``now``, ``later``, ``before``, ``never``), and whether the line joins another one."""
+
+class StageType(NamedTuple):
+    """By what stages of different dishes are compared.
+
+    ``work`` is what is done to the whole (``blend``, ``knead``, ``mix``, ``heat``, ``bake``, ``boil``, ``shape``,
+    ``rest``, ``top``), ``heated`` when it is heated (``now``, ``later``, ``before``, ``never``); ``joins``: its line
+    joins another one, and is not the dish's own.
+    """
+
+    work: str
+    heated: str
+    joins: bool
+
 
 NATURAL = 0.5
 """A slot is natural for a food that its own can stand for with at least this confidence."""
@@ -44,7 +54,7 @@ class Spot:
 
     path: tuple[int, ...]
     stage: Stage
-    post: Post
+    stage_type: StageType
     side: bool
     after: tuple[Stage, ...]
 
@@ -78,10 +88,10 @@ def spots_of(
             if isinstance(add, Line):
                 yield from spots_of(add, side=True, after=(stage, *later), path=(*path, place, number))
         before = any("heat" in one.does for one in line.stages[:place])
-        yield Spot((*path, place), stage, _post(stage, later, before=before, side=side), side, later)
+        yield Spot((*path, place), stage, _stage_type(stage, later, before=before, side=side), side, later)
 
 
-def _post(stage: Stage, later: Sequence[Stage], *, before: bool, side: bool) -> Post:
+def _stage_type(stage: Stage, later: Sequence[Stage], *, before: bool, side: bool) -> StageType:
     work = next((name for name, does in _WORKS if not stage.does.isdisjoint(does)), "top")
     if "heat" in stage.does:
         when = "now"
@@ -89,7 +99,7 @@ def _post(stage: Stage, later: Sequence[Stage], *, before: bool, side: bool) -> 
         when = "later"
     else:
         when = "before" if before else "never"
-    return work, when, side
+    return StageType(work, when, side)
 
 
 @made_often()

@@ -107,7 +107,7 @@ class Adding:
 
     def _complete(self, turn: Turn, vessel: Vessel, last: Join | Vessel, joins: Sequence[Join]) -> None:
         """Make one of all that is in a vessel: stirred, where something lies beside what was mixed and is no layer."""
-        beside = isinstance(last, Vessel) and turn.stage.step < 0 and not turn.stage.does  # of no video, poured over it
+        beside = isinstance(last, Vessel) and turn.stage.is_added and not turn.stage.does  # poured over it
         stirred = self.work.lies_unmixed(vessel) and not (beside or _lies_on_top(last) or self._has_set(vessel))
         if stirred and not self.stages.lays(turn.stage, joins, turn.later):
             self.work.stir(vessel, self.plan.label, self.work.outcome.kept_states(vessel))
@@ -117,7 +117,7 @@ class Adding:
     def _has_set(self, vessel: Vessel) -> bool:
         """Whether what is made by a table stood in the cold to set: what comes then lies on it, unless it is drunk."""
         cold = any(says(stuff.states, "was set in the cold") for stuff in vessel.contents)
-        return cold and self.plan.by_table and not self.plan.drunk
+        return cold and self.plan.by_table and not self.plan.is_drink
 
 
 def _is_fat(one: Join | Vessel) -> bool:

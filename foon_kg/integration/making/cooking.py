@@ -146,7 +146,7 @@ class Cooking:
 
     def _at_once(self, line: Line, turns: Sequence[Turn], late: Collection[int]) -> list[tuple[Line, Turn]]:
         """Return what joins a line in ``turns`` and is not made ``late``, each with its turn: first what keeps."""
-        first = self.stages.made_first(line)
+        first = self.stages.made_before_rest(line)
         lines = [(add, turn) for turn in turns for add in self._alive(turn.stage) if id(add) not in late]
         return sorted(lines, key=lambda one: id(one[0]) not in first)
 

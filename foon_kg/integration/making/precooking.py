@@ -289,7 +289,9 @@ class Precooking:
 
     def _cooks_there(self, join: Join, due: Collection[str]) -> bool:
         """Whether a food gets done where it joins, and is not only warmed up there with foods that are done."""
-        quick = join.spot.post[0] == "heat" and join.slot is None and "cook" in due and not self.pours(join.want)
+        quick = (
+            join.spot.stage_type.work == "heat" and join.slot is None and "cook" in due and not self.pours(join.want)
+        )
         return not quick or self.course.has_liquid([join.spot.stage])
 
     # --- how it is cooked then ---

@@ -77,7 +77,7 @@ class Stages:
         late += [add for add in laid_later(line.stages) if is_over_heat(add) and add not in waiting(line, self.course)]
         return frozenset(map(id, late))
 
-    def made_first(self, line: Line) -> frozenset[int]:
+    def made_before_rest(self, line: Line) -> frozenset[int]:
         """Return, by identity, what joins a line and is made before the rest: what keeps, for what is best hot."""
         return frozenset(id(add) for add in waiting(line, self.course) if not self._makes_foam(add))
 
@@ -150,7 +150,7 @@ class Stages:
         if self.plan.by_table and not stage.motion:
             return any("wait" in one.does for one in later)
         laid = bool(joins) and all(join.slot is not None and join.slot in stage.adds for join in joins)
-        return laid and "wait" in stage.does and not (self.plan.in_pieces or self.plan.drunk)
+        return laid and "wait" in stage.does and not (self.plan.in_pieces or self.plan.is_drink)
 
     def would_be_dry(self, stage: Stage, stuffs: Sequence[Join | Vessel]) -> bool:
         """Return whether ``stuffs`` that are solid come at ``stage`` into a pan with nothing to cook in."""

@@ -44,8 +44,8 @@ class Turn:
 
     @cached_property
     def is_heated_on(self) -> bool:
-        """Whether it is heated again by more than being browned at last (``step`` -1): until then it is half done."""
-        return any(one.heats for one in self.later if one.step >= 0)
+        """Whether it is heated again, by more than an added stage (to brown it at last): until then it is half done."""
+        return any(one.heats for one in self.later if not one.is_added)
 
 
 def turns_of(line: Line, after: Sequence[Stage], *, main: bool) -> list[Turn]:

@@ -12,7 +12,7 @@ from foon_kg.food import words
 from foon_kg.food.lists import says, word_list
 from foon_kg.food.parted import parts_in
 from foon_kg.food.rows import HALVED, POWDER
-from foon_kg.food.workings import made_first, working
+from foon_kg.food.workings import first_states, working
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.preparing.cutting import BOWL
 from foon_kg.integration.preparing.preparation import (
@@ -100,7 +100,7 @@ class Preparer(Treater):
         """Do to a food that gets ``ready`` what its kind needs before all else."""
         want = ready.want
         told = (want.asked, *words(want.label), *words(want.asked), *want.leaf)
-        for state in made_first(want.facts, want.asked, told, cut=self.is_asked_cut(want)):
+        for state in first_states(want.facts, want.asked, told, cut=self.is_asked_cut(want)):
             if state not in word_list("is so when it is rinsed"):
                 self.bring_about(ready, state)
             elif not _is_soaked_first(want):  # that is poured off

@@ -37,6 +37,10 @@ HEATS = frozenset({"heat", "warm"})
 """What a stage does that makes things hot, be they cooked by it or only warmed."""
 
 
+ADDED = -1
+"""The ``step`` of a stage that no video has: a table adds it, or it is done to a dish that is ready by then."""
+
+
 @dataclass(frozen=True)
 class Stage:
     """What joins, and what is then done to the whole.
@@ -44,7 +48,7 @@ class Stage:
     ``adds`` are slots and lines in the order in which they join. ``motion`` is ``""`` where nothing is done after it.
     The whole is then in or on ``vessel``; ``appliance`` is what works on it or keeps it (``""`` for none). ``label``
     and ``states`` are what the whole is called afterwards. ``step`` is the place of the unit in its video, 0 where no
-    unit does it, and -1 where it is done to a dish that is ready by then (browned, strewn).
+    unit does it, and :data:`ADDED` where no video has such a stage.
     """
 
     adds: tuple[Slot | Line, ...]
@@ -63,6 +67,11 @@ class Stage:
     def heats(self) -> bool:
         """Whether the whole is heated, or only warmed."""
         return not self.does.isdisjoint(HEATS)
+
+    @property
+    def is_added(self) -> bool:
+        """Whether no video has it: a table adds it, or it is done to a dish that is ready by then."""
+        return self.step == ADDED
 
     @property
     def slots(self) -> Iterator[Slot]:

@@ -16,7 +16,7 @@ from foon_kg.search.classic.goal import Criterion, GoalSought, RetrievalView
 from foon_kg.search.classic.result import RetrievalResult, RetrievedUnit
 from foon_kg.search.classic.success import likeliest_tree
 from foon_kg.search.deadline import Deadline
-from foon_kg.search.missing import lacking, no_way
+from foon_kg.search.missing import no_way, no_way_without
 
 
 def retrieve_tree(
@@ -80,7 +80,7 @@ def _nearest(part: PartBehind, usable: Sequence[KnownUnit], time_limit: float | 
     except NoWayError:
         return None
     units = [(known.unit.input_nodes, known.unit.output_nodes) for known in tree.units]
-    return lacking((tree.goal,), nearest_first(tree.gaps, units, tree.goal)) if tree.gaps else None
+    return no_way_without((tree.goal,), nearest_first(tree.gaps, units, tree.goal)) if tree.gaps else None
 
 
 def _no_way(part: PartBehind, usable: list[KnownUnit], time_limit: float | None) -> NoWayError:

@@ -11,7 +11,7 @@ from typing import Any
 from foon_kg.food import tables
 from foon_kg.integration.joining.layouts import Layout
 from foon_kg.integration.joining.outlines import Outline
-from foon_kg.integration.joining.spots import Post, spots_of
+from foon_kg.integration.joining.spots import StageType, spots_of
 from foon_kg.integration.teaching.frames import Frame, Line, Slot, Stage
 from foon_kg.model import ObjectNode
 from foon_kg.model.json_text import compact_json
@@ -113,10 +113,10 @@ def slot_foods(frames: Iterable[Frame]) -> set[str]:
 
 
 class Joins:
-    """How often foods of a kind join at each post, beside which other kinds, and by what they are cooked before."""
+    """How often foods of a kind join at each type of stage, beside which others, and by what they are cooked before."""
 
     def __init__(self) -> None:
-        self.posts: Counter[tuple[str, str, Post]] = Counter()
+        self.stages: Counter[tuple[str, str, StageType]] = Counter()
         self.beside: Counter[tuple[str, str]] = Counter()
         self.cooked: Counter[tuple[str, str]] = Counter()
 
@@ -126,7 +126,7 @@ class Joins:
             for spot in spots_of(frame.line):
                 slots = list(spot.stage.slots)
                 for slot in slots:
-                    self.posts[slot.kind, frame.dish_type, spot.post] += weight
+                    self.stages[slot.kind, frame.dish_type, spot.stage_type] += weight
                     for motion in slot.cooked[:1]:
                         self.cooked[slot.kind, motion] += weight
                     for other in slots:
@@ -137,8 +137,8 @@ class Joins:
         """Return the parameters of ``cypher/count_joins.cypher``: what changed, and not what was taken back again."""
         return {
             "posts": [
-                {"kind": KIND + kind, "dish_type": dish_type, **_post(post), "count": count}
-                for (kind, dish_type, post), count in sorted(self.posts.items())
+                {"kind": KIND + kind, "dish_type": dish_type, **_post(stage_type), "count": count}
+                for (kind, dish_type, stage_type), count in sorted(self.stages.items())
                 if count
             ],
             "beside": [
@@ -155,12 +155,12 @@ class Joins:
 
     def matters(self) -> set[str]:
         """Return the kinds that are counted, as matters."""
-        return {KIND + kind for kind, _, _ in self.posts}
+        return {KIND + kind for kind, _, _ in self.stages}
 
 
-def _post(post: Post) -> Mapping[str, Any]:
-    """Return a post with the name that tells it from others in the graph, and its parts as properties."""
-    work, heated, joins = post
+def _post(stage_type: StageType) -> Mapping[str, Any]:
+    """Return the ``Post`` of a stage type in the graph: its name, which no other has, and its parts as properties."""
+    work, heated, joins = stage_type
     return {"post": f"{work}, heated {heated}, {'joins' if joins else 'own'}"} | {
         "properties": {"work": work, "heated": heated, "joins": joins}
     }

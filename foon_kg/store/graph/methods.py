@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 
 from foon_kg.food import tables
+from foon_kg.integration.joining.joining_counts import JoiningCounts
 from foon_kg.integration.joining.layouts import Layout
 from foon_kg.integration.joining.outlines import Outline, Outlines
-from foon_kg.integration.joining.posts import Posts
-from foon_kg.integration.joining.spots import Post
+from foon_kg.integration.joining.spots import StageType
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.teaching.frames import Frame
 from foon_kg.integration.teaching.operators import Evidence, Operators, Way
@@ -34,7 +34,7 @@ Ask = Callable[[Sequence[str]], Iterable[FrameReadValue]]
 def methods_of(row: MethodsRow, goals: Iterable[Goal]) -> Methods:
     """Return what was learnt of a FOON with these ``goals``, from a ``row``."""
     methods = Methods(operators_of(row), frames_of(row.frames), tuple(goals))
-    vars(methods)["posts"] = posts_of(row)  # they were counted when the frames were learnt
+    vars(methods)["joining_counts"] = joining_counts_of(row)  # they were counted when the frames were learnt
     return methods
 
 
@@ -103,21 +103,21 @@ def _attest(evidence: Evidence, matter: str, units: int, seen: list[Sighting]) -
         evidence.foods[matter] = seen
 
 
-def posts_of(row: MethodsRow | MethodsCommonRow) -> Posts:
+def joining_counts_of(row: MethodsRow | MethodsCommonRow) -> JoiningCounts:
     """Return where foods of each kind join, from the counts in a ``row``."""
-    posts = Posts((), tables())
+    counts = JoiningCounts((), tables())
     for kind, dish_type, work, heated, joins, count in row.posts:
-        post: Post = (work, heated, joins)
-        for name in posts.names(kind.removeprefix(KIND)):
+        stage_type = StageType(work, heated, joins)
+        for name in counts.names(kind.removeprefix(KIND)):
             for dish in (dish_type, ""):
-                for counter, value in zip(posts.counts[name, dish], post, strict=True):
+                for counter, value in zip(counts.counts[name, dish], stage_type, strict=True):
                     counter[value] += count
     for kind, other, count in row.beside:
-        posts.beside[kind.removeprefix(KIND)][other.removeprefix(KIND)] += count
+        counts.beside[kind.removeprefix(KIND)][other.removeprefix(KIND)] += count
     for kind, motion, count in row.cooked:
-        for name in posts.names(kind.removeprefix(KIND)):
-            posts.cooked[name][motion] += count
-    return posts
+        for name in counts.names(kind.removeprefix(KIND)):
+            counts.cooked[name][motion] += count
+    return counts
 
 
 MOST_LAYOUTS = 2048
@@ -159,9 +159,9 @@ class LearntDishes:
 class MethodsInPart(Methods):
     """The part of the methods that matters to one question; of the frames those are read that it looks at closely."""
 
-    def __init__(self, operators: Operators, posts: Posts, dishes: LearntDishes, ask: Ask) -> None:
+    def __init__(self, operators: Operators, counts: JoiningCounts, dishes: LearntDishes, ask: Ask) -> None:
         super().__init__(operators, (), ())
-        vars(self).update(posts=posts, outlines=dishes.outlines, _dishes=dishes, _ask=ask)
+        vars(self).update(joining_counts=counts, outlines=dishes.outlines, _dishes=dishes, _ask=ask)
 
     def layouts_of(self, keys: Iterable[str]) -> list[Layout]:
         """Return the places of the frames of some keys, in that order."""
@@ -188,9 +188,9 @@ class CommonMethods:
         self._sightings.read(value for *_, value in (*row.usual, *row.appliances))
 
     @cached_property
-    def posts(self) -> Posts:
+    def joining_counts(self) -> JoiningCounts:
         """Where foods of each kind join."""
-        return posts_of(self._row)
+        return joining_counts_of(self._row)
 
     @cached_property
     def _shared(self) -> Operators:
@@ -231,4 +231,4 @@ class CommonMethods:
 
         They ``ask`` for the frames at which the question looks.
         """
-        return MethodsInPart(self.operators_with(matters), self.posts, dishes, ask)
+        return MethodsInPart(self.operators_with(matters), self.joining_counts, dishes, ask)
