@@ -159,3 +159,42 @@ def test_what_fills_a_flat_bread_is_made_part_by_part(steps):
     assert {"tomatoes", "cucumber"} in stirred
     assert {"tahini", "lemon juice"} in stirred
     assert "fold" in motions(told)
+
+
+def test_flour_and_fat_of_a_sauce_stay_out_of_the_pastry_that_covers_it(steps):
+    told = steps("pie", "Chicken and Leek Pie", "flour:powder:pastry", "butter:cubed:pastry", "water:cold:pastry",
+                 "chicken breasts:diced:filling", "leeks:sliced:filling", "butter:unmelted:filling",
+                 "flour:powder:filling", "milk:liquid:filling", "egg:beaten")  # fmt: skip
+    assert inside(told, "knead") == {"flour", "butter", "water"}
+    made = {frozenset(node.ingredients) for _, _, outputs in told for node in outputs if node.label == "filling"}
+    assert made == {frozenset({"chicken breasts", "leeks", "butter", "flour", "milk"})}
+    assert inside(told, "brush") >= {"egg"}
+
+
+def test_pastry_that_ends_in_its_water_is_told_from_what_it_covers(steps):
+    told = steps("pie", "Corned Beef Plate Pie", "flour:powder", "lard:creamy", "water:cold", "corned beef:canned",
+                 "potatoes:diced", "onion:chopped", "beef stock cube:granulated", "egg:beaten")  # fmt: skip
+    assert inside(told, "knead") == {"flour", "lard", "water"}
+    made = {frozenset(node.ingredients) for _, _, outputs in told for node in outputs if node.label == "filling"}
+    assert made == {frozenset({"corned beef", "potatoes", "onion", "beef stock cube", "lard"})}
+
+
+def test_flour_egg_and_crumbs_listed_after_balls_coat_them_one_after_the_other(steps):
+    told = steps("meatball", "", "cooked ham:minced", "cheddar:grated", "potato:mashed", "egg yolk:uncooked",
+                 "flour:powder", "egg:beaten", "breadcrumbs:crumbs", "oil:liquid")  # fmt: skip
+    assert motions(told).count("dip") == 3
+    assert inside(told, "shape") == {"cooked ham", "cheddar", "potato", "egg yolk"}
+
+
+def test_whole_eggs_lie_in_a_loaf_and_its_wine_is_baked_with_it(steps):
+    told = steps("meatloaf", "Stefani Roll", "minced meat:raw", "onion:grated", "egg:raw", "eggs:boiled:filling",
+                 "gherkins:whole:filling", "white wine:liquid:topping")  # fmt: skip
+    assert inside(told, "mix") == {"minced meat", "onion", "egg"}
+    assert inside(told, "bake") >= {"white wine", "gherkins"}
+
+
+def test_baps_are_filled_and_no_part_of_the_mince(steps):
+    told = steps("burger", "Pork Burgers", "pork mince:raw", "onion:chopped", "soft baps:split",
+                 "lettuce leaves:leaves")  # fmt: skip
+    assert inside(told, "shape") == {"pork mince", "onion"}
+    assert "lettuce leaves" not in inside(told, "cook")
