@@ -198,3 +198,33 @@ def test_baps_are_filled_and_no_part_of_the_mince(steps):
                  "lettuce leaves:leaves")  # fmt: skip
     assert inside(told, "shape") == {"pork mince", "onion"}
     assert "lettuce leaves" not in inside(told, "cook")
+
+
+@pytest.mark.parametrize(
+    ("title", "beside"),
+    [
+        ("Pork Chops with Glazed Apples", ["apples:sliced", "butter:unmelted", "brown sugar:granulated"]),
+        ("Pork Chops with Creamed Spinach", ["spinach:leaves", "butter:unmelted", "flour:powder", "milk:liquid"]),
+        ("Pork Chops and Scalloped Corn", ["canned corn:canned", "egg:beaten", "soft bread crumbs:crumbs"]),
+        ("Pork Chops with Cucumber Salad", ["cucumber:sliced", "vinegar:liquid", "sugar:granulated"]),
+    ],
+)
+def test_what_a_title_says_is_beside_flesh_is_made_by_itself(steps, title, beside):
+    told = steps("pork", title, "pork chops:raw", "oil:liquid", *beside)
+    foods = {one.split(":")[0] for one in beside}
+    cooked = [node for _, one, outputs in told if one in {"cook", "bake"} for node in outputs]
+    assert all(foods.isdisjoint(node.ingredients) for node in cooked if "pork chops" in node.ingredients)
+    assert foods < {food for node in told[-1][2] for food in node.ingredients}
+
+
+def test_a_beaten_white_at_the_end_of_a_list_is_brushed_on_before_what_is_strewn(steps):
+    told = steps("bread", "Oatmeal Bread", "yeast:powder", "water:warm", "bread flour:powder", "salt:granulated",
+                 "egg white:beaten", "oats:uncooked:tops")  # fmt: skip
+    assert "egg white" not in inside(told, "knead")
+    assert first(told, "oats", "pour") > motions(told).index("brush")
+
+
+def test_dried_limes_and_herbs_cook_with_a_stew(steps):
+    told = steps("beef", "", "stewing beef:cut", "onion:chopped", "limes:dried", "oregano:dried", "oil:liquid",
+                 "beef stock:liquid")  # fmt: skip
+    assert inside(told, "simmer") >= {"limes", "oregano"}

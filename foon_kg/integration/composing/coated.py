@@ -83,13 +83,17 @@ def _on_a_tray(joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tup
     """Return how flesh is coated and baked; what lies on flesh comes on top."""
     hot, top = replace(BAKE, vessel="baking tray", relation="on"), replace(TOP)
     made, found = coated_apart(Line((hot,)), [_at(join, hot) for join in joins], kinds, heats=False)
-    over = word_list("lies on flesh") | _BESIDE
     last = made.stages[-1]
     found = tuple(
-        replace(_at(join, top), on_top=True) if join.spot.stage is last and join.want.facts.is_any(over) else join
-        for join in found
+        replace(_at(join, top), on_top=True) if join.spot.stage is last and _lies_over(join) else join for join in found
     )
     return Line((*made.stages, top)), found
+
+
+def _lies_over(join: Join) -> bool:
+    """Whether a food lies on coated flesh or beside it, and gives its taste without heat."""
+    there = join.want.facts.is_any(word_list("lies on flesh") | _BESIDE)
+    return there and not join.want.facts.is_any(word_list("is cooked with flesh"))
 
 
 def _in_a_sauce(sauce: Stage, joins: Sequence[Join], kinds: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
@@ -98,7 +102,7 @@ def _in_a_sauce(sauce: Stage, joins: Sequence[Join], kinds: Collection[str]) -> 
     Without a sauce all that coats nothing lies on it.
     """
     top = replace(TOP)
-    over = [join for join in joins if join.want.facts.is_a(*word_list("lies on flesh"), *_BESIDE)]
+    over = [join for join in joins if _lies_over(join)]
     rest = [join for join in joins if join not in over]
     made, found = coated_apart(Line((sauce,)), [_at(join, sauce) for join in rest], kinds)
     if not any(join.spot.stage is made.stages[-1] for join in found):
