@@ -144,7 +144,7 @@ def order(case: Case) -> Iterator[Finding]:
         for vessel in waits.too_long(played_step):
             reason = f"what is in the {vessel.label} waits in the heat while other food is prepared"
             yield Finding("W5", reason, played_step.number, minor=True)
-        if played_step.hot and _fetches_water(played_step):
+        if _hot_food(played_step) and _fetches_water(played_step):
             yield Finding("W5", "water is fetched while something waits in the heat", played_step.number, minor=True)
         yield from _fried_dry(case, played_step)
 
@@ -161,12 +161,21 @@ class _Waits:
         moved_to = [now for _, _, now in played_step.moved if now is not None]
         touched = {id(vessel) for vessel in (*played_step.vessels, *played_step.heated, *moved_to)}
         more = int(_prepares(played_step))
-        hot = {id(vessel): vessel for vessel in played_step.hot}
+        hot = {id(vessel): vessel for vessel in _hot_food(played_step)}
         self.steps = {key: 0 if key in touched else self.steps.get(key, 0) + more for key in hot}
         for key, vessel in hot.items():
             if self.steps[key] > MOST_WAITING and key not in self.told:
                 self.told.add(key)
                 yield vessel
+
+
+def _hot_food(played_step: PlayedStep) -> list[Vessel]:
+    """Return the vessels that are hot with more than water in them: that may boil for as long as it likes."""
+    return [vessel for vessel in played_step.hot if not _is_water(vessel)]
+
+
+def _is_water(vessel: Vessel) -> bool:
+    return bool(vessel.lumps) and all(part.food.is_a("water") for lump in vessel.lumps for part in lump.parts)
 
 
 def _prepares(played_step: PlayedStep) -> bool:

@@ -33,8 +33,21 @@ def test_water_boils_before_pasta_comes_and_that_is_boiled_when_its_sauce_is_rea
         "pasta", "Spaghetti Bolognese", spaghetti="uncooked", ground_beef="raw", onion="chopped",
         canned_tomato="canned", olive_oil="liquid",
     )  # fmt: skip
-    assert done[places(done, "spaghetti")[0] - 1][0] == "boil"
-    assert places(done, "canned tomato", does={"heat"})[0] < places(done, "spaghetti")[0]
+    boils, comes = [motion for motion, *_ in done].index("boil"), places(done, "spaghetti")[0]
+    last = places(done[:comes], "canned tomato", does={"heat"})[-1]
+    assert boils < last < comes  # the sauce does not wait until water boils
+    assert not done[boils][1] & {"spaghetti", "canned tomato"}
+
+
+def test_water_is_hot_when_a_pan_that_only_fries_is_ready_and_that_keeps_its_burner():
+    done = steps(
+        "pasta", "Orecchiette with Broccoli", orecchiette="uncooked", broccoli="florets", garlic="sliced",
+        olive_oil="liquid", pecorino="grated",
+    )  # fmt: skip
+    boils, comes = [motion for motion, *_ in done].index("boil"), places(done, "orecchiette")[0]
+    assert boils < places(done, "broccoli", does={"heat"})[0]
+    assert "remove" not in {motion for motion, _ in done[boils:comes]}
+    assert places(done, "orecchiette", does={"heat"})
 
 
 def test_what_lies_on_noodles_comes_when_nothing_is_cooked_any_more():

@@ -42,6 +42,11 @@ def test_w5_an_empty_pan_does_not_wait():
     assert found("W5", lines(ON_STOVE, LIGHT, prepared(5))) == []
 
 
+def test_w5_water_may_boil_as_long_as_it_likes():
+    water = OILED.replace("oil", "water").replace("bottle", "measuring cup")
+    assert found("W5", lines(ON_STOVE, water, LIGHT, prepared(5))) == []
+
+
 def test_w5_a_pan_over_a_cold_stove_does_not_wait():
     assert found("W5", lines(ON_STOVE, OILED, prepared(5))) == []
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from foon_kg.integration.bench.handwork import Handwork
-from foon_kg.integration.bench.steps import Done, RefusedError
+from foon_kg.integration.bench.steps import RefusedError
 from foon_kg.integration.bench.things import Device, Shown, Vessel, foods_of
+from foon_kg.integration.bench.timing import with_water_hot_in_time, without_short_breaks
 from foon_kg.integration.teaching.operators import Alike, Attested, Likes, Operators, Way
 
 _LIGHTS = ("light",)
-_BRINGS = frozenset({"coat", "fetch", "move", "scatter"})
 
 _PLACES = {"on": ("pick-and-place", "place"), "in": ("put inside", "insert", "pick-and-place")}
 """By which motions a vessel comes on or in an appliance."""
@@ -49,10 +49,10 @@ class Bench(Handwork):
     def place(self, vessel: Vessel, label: str, relation: str) -> Device:
         """Stand a vessel on the appliance ``label``, put it in, or attach it, as ``relation`` says.
 
-        What is done with the heat is taken off before.
+        What was emptied there is taken off before.
         """
         device = self.device(label)
-        self._clear(device, relation)
+        self._clear(device, relation, vessel.label)
         ways = [(motion, ()) for motion in _PLACES.get(relation, _ATTACHES)]
         attested = self.first_with(label, ways, foods_of(vessel))
 
@@ -67,19 +67,23 @@ class Bench(Handwork):
         self.placed.append(vessel)
         return device
 
-    def _clear(self, device: Device, relation: str) -> None:
-        """Take off an appliance what was heated there, and is emptied or off the heat."""
+    def _clear(self, device: Device, relation: str, label: str) -> None:
+        """Take off an appliance what was heated there and is emptied, or waits and is called as what comes, ``label``.
+
+        What waits keeps its burner else: which one is meant is known by what stands there.
+        """
         self.placed[:] = [one for one in self.placed if one.device is not None]
         if relation != "on":
             return
         for vessel in list(self.placed):
-            if vessel.device is device and vessel.relation == "on" and self._is_done_with(vessel):
+            if vessel.device is device and vessel.relation == "on" and self._is_done_with(vessel, label):
                 self.switch(vessel, device, on=False)
                 self.take_off(vessel)
 
-    def _is_done_with(self, vessel: Vessel) -> bool:
-        """Whether a vessel that was heated is emptied or off the heat."""
-        return vessel.number in self.standing and (not vessel.contents or not self.is_running(vessel))
+    def _is_done_with(self, vessel: Vessel, label: str) -> bool:
+        """Whether a vessel that was heated is emptied, or off the heat in the place of one called ``label``."""
+        waits = vessel.label == label and not self.is_running(vessel)
+        return vessel.number in self.standing and (not vessel.contents or waits)
 
     def take_off(self, vessel: Vessel) -> None:
         """Take a vessel off, out of or from its appliance."""
@@ -183,34 +187,9 @@ class Bench(Handwork):
             self.take_off(vessel)
             self.uncover(vessel)
 
-    def forget_short_breaks(self) -> None:
-        """Leave an appliance on where it was turned off and on again while food only came into its vessel.
-
-        Each stage ends with its heat off, as nobody knows there what the next one does; nobody cooks so.
-        """
-        kept: list[Done] = []
-        for done in self.done:
-            place = self._off_before(kept, done) if done.step.motion != "turn off" else None
-            if place is None:
-                kept.append(done)
-            else:
-                del kept[place]
-        self.done[:] = kept
-
-    def _off_before(self, before: Sequence[Done], done: Done) -> int | None:
-        """Return the place of the step that turned off what ``done`` turns on, with nothing but such steps since."""
-        if len(done.step.inputs) != 1 or len(done.step.outputs) != 1:
-            return None
-        (off,), (on,) = done.step.inputs, done.step.outputs
-        for place in range(len(before) - 1, -1, -1):
-            step = before[place].step
-            if step.inputs == (on,) and step.outputs == (off,):
-                return place
-            # only what brings food into that very vessel may come between
-            into = any(mention.thing == off.container_thing for mention in step.outputs)
-            if not into or not self.known.motion(step.motion).does <= _BRINGS:
-                return None
-        return None
+    def put_in_time(self) -> None:
+        """Bring the steps that happened in the order in which nothing hot waits, nor is turned off needlessly."""
+        self.done[:] = without_short_breaks(with_water_hot_in_time(self.done, self.known), self.known)
 
     # --- lids ---
 

@@ -85,7 +85,7 @@ class Cooking:
         vessel = self.serving.served(vessel, self.line.stages[-1], self.stages)
         if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
             self.work.name(vessel, self.plan.label)
-        self.bench.forget_short_breaks()
+        self.bench.put_in_time()
         return vessel.contents[0]
 
     def _cook_first(self, join: Join) -> None:
