@@ -32,6 +32,9 @@ _OUT_OF = frozenset({"from", "off"})
 _LEFT_OF_COOKING = frozenset({"fat", "water"})
 """Traits of what comes of another food in the heat; meat from a crab is crab, and juice of a lemon is lemon."""
 
+_TELLS_HOW_BOUGHT = word_list("tells by a name how it is bought")
+"""So a name says that a food is no raw one, where no table has that name."""
+
 _OF = frozenset({"al", "alla", "au", "aux", "com", "con", "d", "da", "de", "del", "des", "di", "do", "du", "em", "en"})
 """Before these words names of other languages say what the food is: caldo de pollo is no chicken."""
 
@@ -98,10 +101,9 @@ class FoodTable:
         return frozenset(found)
 
     def _food(self, name: str, states: tuple[str, ...]) -> Food:
-        main, _, packed = name.partition(" in ")
-        main = main.removesuffix(" packed")
-        if packed and name not in self.kind_of and self.find(main)[2] in {Match.NAME, Match.HEAD}:
-            return replace(self._food(main, (*states, _PACKED)), name=name)  # tuna in water, peaches in syrup
+        told = self._told_by_name(name)
+        if told is not None:
+            return replace(self._food(told[0], (*states, told[1])), name=name)
         kind, taken_for, match = self.find(self._meant(name, states))
         row = self.kinds.get(kind, UNKNOWN)
         special = self.exceptions.get(taken_for, {})
@@ -122,6 +124,29 @@ class FoodTable:
             taken_for,
             "" if moved is None else _no_more(kind, row),
         )
+
+    def _told_by_name(self, name: str) -> tuple[str, str] | None:
+        """Return a ``name`` without the words that say how the food is bought, and that state; ``None`` without any.
+
+        That is tuna in water, peaches in syrup, leftover brisket. Names of the table mean what they say there.
+        """
+        main, _, packed = name.partition(" in ")
+        main = main.removesuffix(" packed")
+        if packed and name not in self.kind_of and self.find(main)[2] in {Match.NAME, Match.HEAD}:
+            return main, _PACKED
+        own = [] if self.is_listed(name) else name.split()
+        rest = " ".join(word for word in own if word not in _TELLS_HOW_BOUGHT)
+        state = next((said for word in own if self._is_changed(rest, said := _as_bought(word))), "")
+        return (rest, state) if state else None
+
+    def _is_changed(self, name: str, state: str) -> bool:
+        """Whether the food ``name`` is another one when it is bought in this ``state``."""
+        if not name or state not in _TELLS_HOW_BOUGHT:
+            return False
+        kind, taken_for, _ = self.find(name)
+        special = _texts(self.exceptions.get(taken_for, {}).get("when"))
+        another = self._meant(name, (state,)) != self._meant(name, ())
+        return another or state in self.kinds.get(kind, UNKNOWN).when or state in special
 
     def _meant(self, name: str, states: Sequence[str]) -> str:
         """Return which of the foods called ``name`` one in these ``states`` is."""
@@ -208,6 +233,11 @@ def make_room(kept: dict[Any, Any]) -> None:
 def as_in_the_table(label: str) -> str:
     """Return a label as the table has it: without brackets, without accents (pâté), without its bone-in or skin-on."""
     return without_accents(_WITH_BONES.sub("", label.partition(" (")[0]) or label)
+
+
+def _as_bought(word: str) -> str:
+    """Return as what state a ``word`` of a name counts: what is cooked by its name is as good as left over."""
+    return "leftover" if word in word_list("is cooked by its name") else word
 
 
 def _is_state(asked: str, state: str) -> bool:

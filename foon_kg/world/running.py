@@ -30,7 +30,7 @@ def _runs_as_it_is(facts: Food, states: Sequence[str], known: Tables) -> bool:
     cooked = any(known.state(state).needs_heat or "cook" in known.state(state).earns for state in states)
     if opened and not cooked and says(states, "is open and raw"):
         return True
-    runs = says(states, "runs")
+    runs = says(states, "runs") or says(states, "is too soft to be picked up")
     return runs or (facts.is_a("liquid") and not facts.is_a("creamy"))
 
 

@@ -47,6 +47,14 @@ def test_no_name_is_a_utensil():
         ("bifes de nalga", "meat"),
         ("lacón curado", "corned beef"),
         ("chorizos asturianos", "raw sausage"),
+        ("leftover smoked brisket", "cooked meat"),
+        ("smoked brisket", "ready meat"),
+        ("deli corned beef", "ready meat"),
+        ("cooked chicken thighs", "cooked meat"),
+        ("roasted tomatoes", "tomato"),  # no table knows those as another food
+        ("leftover chili", "cooked dish"),
+        ("chili", "hot pepper"),
+        ("7-Up", "soda"),
         ("home-made caldo de pollo", "stock"),  # no chicken
         ("aceite de oliva", "oil"),  # no olive
         ("disco de pizza", "flatbread"),

@@ -170,6 +170,8 @@ def test_w4_a_vessel_in_which_it_joined_others_served_that():
             ["W4 step 1 egg (thick liquid; in bowl): egg runs, and is picked up"],
         ),
         ("PICK-AND-PLACE", "butter (melted", "", ["W4 step 1 butter (melted; in bowl): butter runs, and is picked up"]),
+        ("PICK-AND-PLACE", "salsa (sauce", "", ["W4 step 1 salsa (sauce; in bowl): salsa runs, and is picked up"]),
+        ("PICK-AND-PLACE", "salsa (sauce", " + ladle", []),
         ("PICK-AND-PLACE", "egg (whole", "", []),
         ("PICK-AND-PLACE", "egg (beaten, cooked", "", []),
         ("PICK-AND-PLACE", "butter (softened", "", []),

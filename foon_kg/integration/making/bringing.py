@@ -193,7 +193,7 @@ class Bringing:
         powder = source is not None and form_of(self.known, label, states) == "powder"
         return _Handling(
             poured=not is_laid(self.known, label, states, flat=strict and is_flat(transport.target.label)),
-            picked=not fluid and not powder,
+            picked=not fluid and not powder and not says(states, "is too soft to be picked up"),
             scraped=transport.role != "storage" or not says(states, "runs"),
             sprayed=source is not None and source.label in word_list("sprays"),
         )
