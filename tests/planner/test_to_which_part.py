@@ -228,3 +228,33 @@ def test_dried_limes_and_herbs_cook_with_a_stew(steps):
     told = steps("beef", "", "stewing beef:cut", "onion:chopped", "limes:dried", "oregano:dried", "oil:liquid",
                  "beef stock:liquid")  # fmt: skip
     assert inside(told, "simmer") >= {"limes", "oregano"}
+
+
+def test_nuts_for_the_top_come_on_cookies_after_their_syrup(steps):
+    told = steps("cookie", "Melomakarona", "olive oil:liquid", "orange juice:juice", "sugar:granulated", "flour:powder",
+                 "baking soda:powder", "sugar:granulated:syrup", "water:liquid:syrup", "honey:thick liquid:syrup",
+                 "walnuts:chopped:topping")  # fmt: skip
+    assert "walnuts" not in inside(told, "bake")
+    assert first(told, "walnuts", "pour") == len(told) - 1
+
+
+def test_soup_and_sugar_listed_after_a_loaf_of_meat_glaze_it(steps):
+    told = steps("meatloaf", "", "ham:ground", "pork:ground", "graham cracker:crumbs", "egg:beaten", "milk:liquid",
+                 "tomato soup:canned", "vinegar:liquid", "brown sugar:granulated")  # fmt: skip
+    assert inside(told, "mix") == {"ham", "pork", "graham cracker", "egg", "milk"}
+    assert inside(told, "bake") >= {"tomato soup", "vinegar", "brown sugar"}
+
+
+def test_nut_butter_is_stirred_into_the_sauce_though_nuts_close_the_list(steps):
+    told = steps("stir-fry", "Tofu with Peanut Sauce", "firm tofu:cubed", "oil:liquid", "broccoli:cut",
+                 "peanut butter:creamy", "soy sauce:liquid", "brown sugar:granulated", "water:liquid",
+                 "peanuts:chopped")  # fmt: skip
+    assert inside(told, "stir") == {"peanut butter", "soy sauce", "brown sugar", "water"}
+
+
+def test_balls_under_a_heading_for_their_sauce_are_poached_in_it(steps):
+    told = steps("meatball", "Königsberger Klopse", "minced veal:raw", "roll:soaked", "egg:uncooked",
+                 "beef stock:liquid", "butter:unmelted:sauce", "flour:powder:sauce", "cream:creamy:sauce",
+                 "egg yolk:uncooked:sauce")  # fmt: skip
+    assert inside(told, "shape") == {"minced veal", "roll", "egg"}
+    assert inside(told, "whisk") == {"egg yolk", "cream"}
