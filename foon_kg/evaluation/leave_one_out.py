@@ -27,7 +27,7 @@ def asking_without(
     subgraphs: Sequence[Subgraph], kitchen: Kitchen, methods: Sequence[str]
 ) -> Callable[[LeftOutVideo], VideoFigures]:
     """Return what asks ``methods`` for a video in a ``kitchen``, each of a FOON of all ``subgraphs`` but that one."""
-    return partial(_asked_without, subgraphs, kitchen, methods)
+    return partial(_asked_without, Snapshot.of(subgraphs, kitchen), methods)
 
 
 def planned_without(subgraphs: Sequence[Subgraph], kitchen: Kitchen, video: VideoFigures) -> PlanResult:
@@ -35,20 +35,18 @@ def planned_without(subgraphs: Sequence[Subgraph], kitchen: Kitchen, video: Vide
 
     Raises NoTreeError where there is none.
     """
-    rest, recipe = _left(subgraphs, kitchen, video.recipe)
+    rest, recipe = _left(Snapshot.of(subgraphs, kitchen), video.recipe)
     return Planner(rest, PlanSettings()).plan(recipe)
 
 
-def _left(subgraphs: Sequence[Subgraph], kitchen: Kitchen, recipe: Recipe) -> tuple[Snapshot, Recipe]:
+def _left(whole: Snapshot, recipe: Recipe) -> tuple[Snapshot, Recipe]:
     """Return the FOON without the video of the recipe, and the question in the words of that."""
-    rest = Snapshot.of((other for other in subgraphs if other.name != recipe.id), kitchen)
+    rest = whole.without(recipe.id or "")
     return rest, with_states(recipe, IngredientWords(rest.vocabulary(), rest.kitchen)).recipe
 
 
-def _asked_without(
-    subgraphs: Sequence[Subgraph], kitchen: Kitchen, methods: Sequence[str], video: LeftOutVideo
-) -> VideoFigures:
-    rest, recipe = _left(subgraphs, kitchen, video.recipe)
+def _asked_without(whole: Snapshot, methods: Sequence[str], video: LeftOutVideo) -> VideoFigures:
+    rest, recipe = _left(whole, video.recipe)
     overlaps, failed = dict[str, Overlap](), dict[str, str]()
     for method in methods:
         try:

@@ -45,6 +45,18 @@ class Snapshot:
         distinct = distinct_by_name(subgraphs)
         return cls(distinct, tuple(_known_units(distinct)), kitchen)
 
+    def without(self, name: str) -> Snapshot:
+        """Return this FOON without the video ``name``; what the others teach is followed once, whichever is left out.
+
+        >>> whole = Snapshot.of([Subgraph("salad", ()), Subgraph("soup", ())], Kitchen.default())
+        >>> [video.name for video in whole.without("soup").subgraphs]
+        ['salad']
+        """
+        rest = Snapshot.of((one for one in self.subgraphs if one.name != name), self.kitchen)
+        frames = tuple(frame for frame in self.methods().frames if frame.video != name)
+        vars(rest)["_methods"] = _taught(rest, frames)
+        return rest
+
     def reading(self) -> AbstractContextManager[KnowledgeView]:
         """Open a view: the snapshot itself."""
         return nullcontext(self)
@@ -127,9 +139,8 @@ class Snapshot:
 
     @cached_property
     def _methods(self) -> Methods:
-        known = tables()
         frames = chain.from_iterable(frames_in(subgraph, self.kitchen) for subgraph in self.subgraphs)
-        return Methods(Operators(map(in_plain_order, self.units), known), tuple(frames), self._goals)
+        return _taught(self, tuple(frames))
 
     def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
         """Return all that this FOON teaches, whatever ``foods`` and ``dish_type``: it is here."""
@@ -188,6 +199,11 @@ class Snapshot:
             for food in food_states((node,), is_utensil=lambda _: False):
                 outputs[food].append(node)
         return dict(outputs)
+
+
+def _taught(foon: Snapshot, frames: tuple[Frame, ...]) -> Methods:
+    """Return what the units of a ``foon`` teach, and the ``frames`` of its videos."""
+    return Methods(Operators(map(in_plain_order, foon.units), tables()), frames, foon.goals())
 
 
 def goals_of(subgraph: Subgraph, kitchen: Kitchen) -> tuple[tuple[ObjectNode, str], ...]:

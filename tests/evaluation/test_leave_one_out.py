@@ -15,6 +15,7 @@ from foon_kg.evaluation.methods import METHODS, OURS, SameName
 from foon_kg.evaluation.tree_overlap import Overlap
 from foon_kg.loaders import write_text
 from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 
@@ -42,6 +43,17 @@ SALADS = (
 
 def figures(video, foon, names=COMPARED):
     return asking_without(foon, KITCHEN, names)(left_out_video(video, KITCHEN))
+
+
+def test_a_foon_without_a_video_teaches_what_the_others_teach():
+    whole = Snapshot.of(SALADS, KITCHEN)
+    for left_out in ("leeks", "twin", "no such video"):
+        rest = Snapshot.of((one for one in SALADS if one.name != left_out), KITCHEN)
+        without = whole.without(left_out)
+        assert without == rest
+        assert without.methods().frames == rest.methods().frames
+        assert without.methods().goals == rest.methods().goals
+        assert {frame.video for frame in without.methods().frames} == {one.name for one in rest.subgraphs}
 
 
 def test_a_video_with_a_twin_is_its_own_nearest_recipe():
