@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Protocol
 from foon_kg.formats.exports.formats import export_tree
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
-from foon_kg.model import ObjectNode, Sighting
+from foon_kg.model import UNMEASURED, Measures, ObjectNode, Sighting
 from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.errors import UsageError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Phase, TreeUnit
 from foon_kg.planning.batch import Answer, Question
 from foon_kg.planning.explanation import Explanations
 from foon_kg.planning.settings import PlanSettings
@@ -44,10 +44,14 @@ class Step:
 
     ``inputs`` and ``outputs`` are the objects before and after it. ``seen_in`` are the places in videos that attest it,
     ``origin`` is ``foon`` where they show this food, ``adapted`` where they show a like one, one of its kind or the
-    motion alone.
+    motion alone; ``grounding`` (:data:`~foon_kg.model.tree.Grounding`) says which. ``phase`` is when it is done
+    (:data:`~foon_kg.model.tree.Phase`), ``measures`` how much, how long (seconds) and how hot (Celsius), where anybody
+    says. These are the fields of a unit of the JSON (docs/reference/result.md).
 
     >>> [(one.motion, one.seen_in[0].video, one.origin) for one in plan.steps[:1]]
     [('dice', 'farmhouse_omelette', 'adapted')]
+    >>> plan.steps[0].phase, plan.steps[0].grounding
+    ('prepare', 'motion')
     """
 
     number: int
@@ -57,6 +61,17 @@ class Step:
     outputs: tuple[ObjectNode, ...]
     origin: str
     seen_in: tuple[Sighting, ...]
+    phase: Phase | None = None
+    grounding: str | None = None
+    measures: Measures = UNMEASURED
+
+    @classmethod
+    def of(cls, number: int, text: str, unit: TreeUnit) -> Step:
+        """Return the step of a ``unit`` of a task tree: its ``number`` from 1, and what a cook reads (``text``)."""
+        return cls(
+            number, text, unit.motion, unit.input_nodes, unit.output_nodes, unit.origin or "", unit.sightings,
+            unit.phase, unit.grounding, unit.measures,
+        )  # fmt: skip
 
     def __str__(self) -> str:
         return f"{self.number}. {self.text}"
@@ -86,7 +101,7 @@ class Plan:
 
     def _step(self, number: int, unit: TreeUnit) -> Step:
         text = sentence(unit, self._settings.kitchen, unit.measures)
-        return Step(number, text, unit.motion, unit.input_nodes, unit.output_nodes, unit.origin or "", unit.sightings)
+        return Step.of(number, text, unit)
 
     @property
     def goal(self) -> ObjectNode:

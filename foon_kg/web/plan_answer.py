@@ -95,6 +95,12 @@ def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) ->
 
 
 def explanation_to_json(one: Explanation) -> JsonObject:
-    """Return why one ingredient is made as it is, field by field."""
-    renamed = [{"asked": asked, "read_as": meant} for asked, meant in one.renamed]
-    return asdict(one) | {"want": wanted_to_json(one.want), "renamed": renamed}
+    """Return why one ingredient is made as it is, field by field; where it joins nothing, that is left out."""
+    told: JsonObject = asdict(one) | {
+        "want": wanted_to_json(one.want),
+        "renamed": [{"asked": asked, "read_as": meant} for asked, meant in one.renamed],
+    }
+    joins = told.pop("joins")
+    if joins is None:
+        return told
+    return told | {"joins": {name: value for name, value in joins.items() if value is not None}}

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from foon_kg.foon import Joining, PassedOver
+from foon_kg.foon import PassedOver
 from foon_kg.formats.exports.files import ExportFile
 from foon_kg.model.knowledge import Neighbour
 from foon_kg.plans.durations import Duration
@@ -133,8 +133,22 @@ class Renamed(Told):
     read_as: str
 
 
+class JoiningTold(Told):
+    """Where a food joins the others: the ``step`` (from 1), left out where it is in none, and its ``motion``.
+
+    It comes in the place of ``like``, a food of the recorded dish ("": where its kind does), and is ``likeness`` (0..1)
+    like it; ``left_open`` are the foods whose place it takes, which nobody asked for.
+    """
+
+    step: int | None = None
+    motion: str
+    like: str
+    likeness: float
+    left_open: list[str]
+
+
 class ExplanationTold(Told):
-    """Why one ingredient is made as it is."""
+    """Why one ingredient is made as it is; ``joins`` is left out where it joins nothing."""
 
     want: Wanted
     how: Literal["played", "made", "sold", "assumed", "missing"]
@@ -143,7 +157,7 @@ class ExplanationTold(Told):
     chosen: bool
     renamed: list[Renamed]
     videos: list[str]
-    joins: Joining | None
+    joins: JoiningTold | None = None
     passed_over: list[PassedOver]
 
 
