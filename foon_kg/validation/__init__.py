@@ -58,6 +58,7 @@ ASKED: dict[str, Callable[[Case], Iterator[Finding]]] = {
         robot.idle,
         handling.picked_up,
         handling.by_no_tool,
+        handling.lifted_loose,
         handling.too_hard,
         handling.coarser,
         handling.broken_raw,

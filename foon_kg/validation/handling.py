@@ -10,7 +10,7 @@ from foon_kg.model import ObjectNode
 from foon_kg.model.tree import Step
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
-from foon_kg.world import Lump, Part, PlayedStep
+from foon_kg.world import Lump, Part, PlayedStep, Vessel
 from foon_kg.world.running import is_runny
 
 _AS_POWDER = 5
@@ -41,6 +41,34 @@ def by_no_tool(case: Case) -> Iterator[Finding]:
         if why:
             nodes = tuple(node for node, lump in played_step.outputs.items() if lump in moved)
             yield Finding("W4", f"{', '.join(sorted({lump.label for lump in moved}))} {why}", played_step.number, nodes)
+
+
+def lifted_loose(case: Case) -> Iterator[Finding]:
+    """Yield a finding for each small thing of ``case`` that a step is said to lift out of a liquid: tongs find none."""
+    for played_step in case.played_steps:
+        takes_out = played_step.step.motion in word_list("takes out")
+        for lump in _lifted(played_step, case) if takes_out and not _has_scoop(played_step) else ():
+            if _is_strewn(lump):
+                yield Finding("W4", f"{lump.label} lies loose in a liquid, and is lifted out", played_step.number)
+
+
+def _lifted(played_step: PlayedStep, case: Case) -> Iterator[Lump]:
+    """Yield what comes in a step out of a vessel in which there is a liquid."""
+    for lump, before, now in played_step.moved:
+        if before is not None and before is not now and now is not None and _is_wet(played_step, before, case):
+            yield lump
+
+
+def _is_strewn(lump: Lump) -> bool:
+    """Whether all of a lump is food in pieces that no tongs hold."""
+    return bool(lump.parts) and all(part.food.is_any(word_list("is too small for tongs")) for part in lump.parts)
+
+
+def _is_wet(played_step: PlayedStep, vessel: Vessel, case: Case) -> bool:
+    """Whether the nodes of a step tell a liquid in a ``vessel``."""
+    told = (mention.node for mention in played_step.step.inputs if mention.node.label == vessel.label)
+    foods = (case.tables.foods.food(name) for node in told for name in node.ingredients)
+    return any(food.is_a("cooking liquid", "water") for food in foods)
 
 
 def _why_by_none(played_step: PlayedStep, moved: Sequence[Lump], case: Case) -> str:

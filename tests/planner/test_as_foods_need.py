@@ -202,6 +202,29 @@ def test_sprigs_and_bay_leaves_are_lifted_out_of_what_was_baked(steps):
     assert {"bay leaf", "thyme"} <= lifted(told)
 
 
+def test_flesh_is_lifted_out_of_a_liquid_by_itself_and_leaves_after_it(steps):
+    told = steps(
+        "roast", "Cider Roast Gammon", "gammon joint:raw", "cider:liquid", "onion:halved", "carrot:chopped",
+        "black peppercorn:whole", "bay leaf:whole", "honey:liquid", "mustard:creamy",
+    )  # fmt: skip
+    on_board = [
+        {node.label for node in outputs if node.container == "cutting board"}
+        for _, motion, outputs in told if motion == "remove"
+    ]  # fmt: skip
+    assert {"gammon joint"} in on_board
+    assert lifted(told) == {"bay leaf"}
+
+
+def test_what_flesh_is_brushed_with_comes_before_the_small_things_around_it(steps):
+    told = steps(
+        "roast", "Roast Rabbit with Olives", "rabbit:raw", "olive oil:liquid", "onion:chopped", "garlic:minced",
+        "rosemary:chopped", "olive:whole", "pine nut:whole", "wine:liquid",
+    )  # fmt: skip
+    brushed = next(inputs for inputs, motion, _ in told if motion == "brush")
+    assert "rabbit" in brushed
+    assert brushed.isdisjoint({"onion", "olive", "pine nut"})
+
+
 def test_a_sauce_bound_with_starch_comes_after_what_is_fried_for_a_moment(steps):
     told = steps(
         "stir-fry", "Tofu Stir-Fry", "tofu:cubed", "snow pea:whole", "bok choy:chopped", "garlic:minced", "oil:liquid",

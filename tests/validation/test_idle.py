@@ -187,6 +187,25 @@ def test_w4_what_runs_is_not_picked_up(motion, thing, tool, told):
     assert found("W4", step) == told
 
 
+@pytest.mark.parametrize(
+    ("thing", "liquid", "tool", "told"),
+    [
+        ("peppercorn", "cider", "tong", ["W4 step 1: peppercorn lies loose in a liquid, and is lifted out"]),
+        ("pine nut", "broth", "tong", ["W4 step 1: pine nut lies loose in a liquid, and is lifted out"]),
+        ("peppercorn", "cider", "ladle", []),
+        ("peppercorn", "butter", "tong", []),
+        ("bay leaf", "cider", "tong", []),
+        ("beef", "cider", "tong", []),
+    ],
+)
+def test_w4_tongs_lift_no_small_thing_out_of_a_liquid(thing, liquid, tool, told):
+    step = (
+        f"{thing} (cooked; in pot) + pot ({{{liquid}, {thing}}}) + plate (empty) + {tool} → REMOVE → "
+        f"{thing} (cooked; on plate) + plate ({{{thing}}}) + pot ({{{liquid}}})"
+    )
+    assert found("W4", step) == told
+
+
 def test_w4_a_pudding_runs_until_it_is_chilled():
     step = (
         "pudding (cooked; {{milk, starch, sugar}}; in pot) + pot ({{milk, starch, sugar}}) + bowl (empty) → "

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import CHOPPED
 from foon_kg.integration.bench import Stuff, Vessel, fineness
+from foon_kg.integration.making.outcome import MIXTURE
 from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.frames import LiftedOut, Rejoined, Stage
@@ -32,6 +33,7 @@ class Lifting:
             self._lift(stuff, [want for want in pieces or wants if want.number in stuff.wants], target)
         if not target.contents:
             return vessel
+        self._clear(vessel)
         self.left = [vessel] if vessel.contents else []
         return target
 
@@ -41,6 +43,12 @@ class Lifting:
             return []
         left, self.left = self.left, []
         return left
+
+    def _clear(self, vessel: Vessel) -> None:
+        """Take leaves that only gave their taste out of what stays in a vessel: the last step left it there."""
+        if self.taking_out.holds_leaves(vessel):
+            self.work.name(vessel, MIXTURE)
+            self.taking_out.take_out(vessel)
 
     def _is_lifted(self, want: Want) -> bool:
         return want.facts.is_any(word_list("is flesh")) and not want.facts.is_any(word_list("stays in its sauce"))
@@ -60,10 +68,19 @@ class Lifting:
         if stuff.mixed:
             self.taking_out.lift(vessel, stuff, wants, attested, target, asked=True)
             return
-        clings = [one for one in vessel.contents if one is not stuff and self._clings(one)]
+        clings = self._clinging([one for one in vessel.contents if one is not stuff])
         self.bench.bring([stuff, *clings], target, attested, leaves=True)
         if clings:
             self.work.name(target, stuff.label, stuff.states)
+
+    def _clinging(self, others: Sequence[Stuff]) -> list[Stuff]:
+        """Return which of the ``others`` beside flesh are lifted with it: none out of a liquid."""
+        return [] if any(map(self._is_wet, others)) else [one for one in others if self._clings(one)]
+
+    def _is_wet(self, stuff: Stuff) -> bool:
+        """Whether a thing is a liquid that washes off flesh what lay on it: no fat, which runs off."""
+        facts = self.known.foods.food(stuff.label, stuff.states)
+        return not stuff.mixed and facts.is_a("cooking liquid", "water") and not facts.is_a("fat")
 
     def _clings(self, stuff: Stuff) -> bool:
         """Whether a thing lies on flesh and is lifted with it: what that was rubbed, brushed or strewn with."""

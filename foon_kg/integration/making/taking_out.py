@@ -35,6 +35,11 @@ class TakingOut:
         """Return whether something in ``vessel`` only gives its taste."""
         return bool(self._to_take_out(vessel))
 
+    def holds_leaves(self, vessel: Vessel) -> bool:
+        """Return whether something in ``vessel``, among other foods, only gives its taste, and tongs find it there."""
+        found = [want for want in self._to_take_out(vessel) if self._is_in_one_piece(want)]
+        return len(vessel.contents) > 1 and any(not want.facts.is_a("spice") for want in found)
+
     def take_out(self, vessel: Vessel) -> Vessel:
         """Take out of what was cooked in a liquid in ``vessel`` what only gave its taste, where the FOON shows how.
 
