@@ -119,3 +119,34 @@ def test_an_egg_is_beaten_before_flesh_is_dipped_into_it(steps):
     (wet, dry) = dips(told)
     assert {"egg mixture"} <= wet[0]
     assert {"breadcrumbs"} <= dry[0]
+
+
+@pytest.mark.parametrize(
+    ("title", "foods", "drawn"),
+    [
+        ("Hot Buttered Apple Punch", ("apple juice:liquid", "brown sugar:granulated", "cloves:whole",
+                                      "cinnamon sticks:whole", "butter:unmelted", "dark rum:liquid"), "cloves"),
+        ("", ("rose hip:dried", "hibiscus:dried", "water:liquid", "honey:thick liquid", "clove:whole",
+              "ginger:sliced"), "rose hip"),
+    ],
+)  # fmt: skip
+def test_what_a_hot_drink_draws_from_is_heated_with_it_and_taken_out(steps, title, foods, drawn):
+    told = steps("drinks", title, *foods)
+    out = next(place for place, motion in enumerate(motions(told)) if motion in {"remove", "pour and strain"})
+    assert first(told, drawn, "cook") < out
+    late = told[out + 1 :]
+    assert drawn not in set().union(*(inputs for inputs, _, _ in late))
+
+
+def test_an_atole_of_corn_is_blended_and_then_cooked(steps):
+    told = steps("drinks", "Atole de Elote", "corn kernels:uncooked", "milk:liquid", "water:liquid", "sugar:granulated")
+    assert motions(told).index("blend") < motions(told).index("cook and stir")
+    assert "boil" not in motions(told)
+
+
+def test_boiled_eggs_lie_in_the_middle_of_a_stuffed_loaf_and_not_in_its_mince(steps):
+    told = steps("meatloaf", "Pulpeton", "meat:minced", "onion:grated", "egg:raw", "eggs:boiled", "salt:granulated")
+    (mixed,) = [inputs for inputs, motion, _ in told if motion == "mix"]
+    assert "egg" in mixed
+    assert "eggs" not in mixed
+    assert first(told, "egg", "mix") < first(told, "eggs", "roll")
