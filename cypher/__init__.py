@@ -50,7 +50,11 @@ class NamedQuery:
 
 @cache
 def named_query(name: str) -> NamedQuery:
-    """Return the query kept in ``<name>.cypher``. Raises ValueError where its header is not in order."""
+    """Return the query kept in ``<name>.cypher``. Raises ValueError where its header is not in order.
+
+    >>> named_query("schema_state").mode
+    'read'
+    """
     file = resources.files(__package__).joinpath(f"{name}.cypher")
     return read_query(name, file.read_text(encoding="utf-8"))
 
@@ -80,9 +84,14 @@ def _folder(name: str) -> tuple[NamedQuery, ...]:
 
 
 def read_query(name: str, text: str) -> NamedQuery:
-    """Return the query called ``name`` of the ``text`` of a ``.cypher`` file.
+    r"""Return the query called ``name`` of the ``text`` of a ``.cypher`` file.
 
     Raises ValueError where its header does not say whether it reads or writes.
+
+    >>> text = "// Counts videos.\n// column: videos\n// mode: read\nMATCH (v:Video) RETURN count(v) AS videos"
+    >>> counting = read_query("count_videos", text)
+    >>> counting.answers, counting.columns, counting.mode
+    ('Counts videos.', ('videos',), 'read')
     """
     fields: dict[str, list[str]] = {word: [] for word in _FIELDS}
     prose: list[str] = []

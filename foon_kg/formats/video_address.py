@@ -6,7 +6,11 @@ from urllib.parse import urlsplit, urlunsplit
 
 
 def is_web_address(source: str) -> bool:
-    """Return whether a link to ``source`` opens a page; ``javascript:`` and the like would do something else."""
+    """Return whether a link to ``source`` opens a page; ``javascript:`` and the like would do something else.
+
+    >>> is_web_address("https://example.org/salad"), is_web_address("javascript:alert(1)")
+    (True, False)
+    """
     try:
         return urlsplit(source).scheme in {"http", "https"}
     except ValueError:  # brackets that do not close

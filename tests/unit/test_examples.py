@@ -19,7 +19,11 @@ AT_THE_DOOR = (
 
 
 def modules_with_examples():
-    for folder, package in ((ROOT / "foon_kg", "foon_kg"), (ROOT / "loaders", "foon_kg.loaders")):
+    for folder, package in (
+        (ROOT / "foon_kg", "foon_kg"),
+        (ROOT / "loaders", "foon_kg.loaders"),
+        (ROOT / "cypher", "foon_kg.cypher"),
+    ):
         for file in sorted(folder.rglob("*.py")):
             if ">>> " in file.read_text(encoding="utf-8"):
                 parts = file.relative_to(folder).with_suffix("").parts

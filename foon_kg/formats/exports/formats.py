@@ -117,7 +117,11 @@ def pddl_files(name: str, written: PlanningProblem) -> tuple[ExportFile, ...]:
 
 
 def file_name(name: str) -> str:
-    """Return ``name`` as the name of a file on any system."""
+    """Return ``name`` as the name of a file on any system.
+
+    >>> file_name("crème brûlée: 2/3")
+    'crème_brûlée_2_3'
+    """
     return _OUTSIDE_FILE_NAMES.sub("_", name).strip("._") or "tree"
 
 

@@ -14,6 +14,9 @@ def node_text(node: ObjectNode) -> str:
 
     The characters that mean something here, and those that would end the line, are written in names as in an address
     (``%2C``): splitting at ``;`` and then at the brackets gives back what was written.
+
+    >>> node_text(ObjectNode("onion", ("chopped",), relation="on", container="cutting board"))
+    'onion (chopped) [on: cutting board]'
     """
     parts = [_name(node.label)]
     if node.states:
@@ -26,7 +29,13 @@ def node_text(node: ObjectNode) -> str:
 
 
 def unit_text(unit: FunctionalUnit) -> str:
-    """Return a ``unit`` on one line: what goes in, what is done, and what comes out."""
+    """Return a ``unit`` on one line: what goes in, what is done, and what comes out.
+
+    >>> from foon_kg.model import Participant
+    >>> whole, chopped = (Participant(ObjectNode("onion", (state,))) for state in ("whole", "chopped"))
+    >>> unit_text(FunctionalUnit((whole,), "chop", (chopped,)))
+    'onion (whole) -> chop -> onion (chopped)'
+    """
     inputs, outputs = ("; ".join(map(node_text, side)) for side in (unit.input_nodes, unit.output_nodes))
     return f"{inputs} -> {_name(unit.motion)}{'*' if unit.accepts_any else ''} -> {outputs}"
 

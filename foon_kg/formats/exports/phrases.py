@@ -21,7 +21,11 @@ _COGNATE = 3
 
 
 def listed(names: Iterable[str]) -> str:
-    """Return ``a, b and c``, each name once; nothing for no names."""
+    """Return ``a, b and c``, each name once; nothing for no names.
+
+    >>> listed(["egg", "milk", "egg", "salt"])
+    'egg, milk and salt'
+    """
     *first, last = dict.fromkeys(names) or ("",)
     return f"{', '.join(first)} and {last}" if first else last
 
@@ -32,7 +36,11 @@ def the(labels: Iterable[str]) -> str:
 
 
 def with_object(verb: str, thing: str) -> str:
-    """Return a ``verb`` with the ``thing`` it is done to: ``cut off the ends of the onion``, ``let the dough rise``."""
+    """Return a ``verb`` with the ``thing`` it is done to: ``cut off the ends of the onion``, ``let the dough rise``.
+
+    >>> with_object("chop", "the onion"), with_object("pick-and-place", "the egg")
+    ('chop the onion', 'put the egg')
+    """
     said = _said("motions").get(verb, verb)
     if "\u2026" in said:
         return said.replace("\u2026", thing)

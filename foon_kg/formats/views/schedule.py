@@ -71,7 +71,11 @@ def shopping_view(foods: Sequence[ObjectNode], unseen: Sequence[str] = ()) -> Re
 
 
 def clock(seconds: float) -> str:
-    """Return a time as minutes and seconds: 1:05."""
+    """Return a time as minutes and seconds: 1:05.
+
+    >>> clock(64.6)
+    '1:05'
+    """
     whole = int(seconds + 0.5)  # as the page rounds
     return f"{whole // 60}:{whole % 60:02}"
 
