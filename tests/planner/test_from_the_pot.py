@@ -50,6 +50,40 @@ def test_water_is_hot_when_a_pan_that_only_fries_is_ready_and_that_keeps_its_bur
     assert places(done, "orecchiette", does={"heat"})
 
 
+def test_what_is_done_in_a_moment_is_cooked_once_and_a_sausage_browns_before_the_onion():
+    mussels = steps("seafood", "Mussels", mussels="whole", shallot="minced", white_wine="liquid", butter="solid",
+                    cream="liquid")  # fmt: skip
+    assert len(places(mussels, "mussels", does={"heat"})) <= 1
+    rice = steps("rice", "Dirty Rice", sausage="raw", chicken_livers="chopped", onion="chopped", rice="uncooked",
+                 chicken_broth="liquid")  # fmt: skip
+    assert places(rice, "sausage", does={"heat"})[0] < places(rice, "chicken livers", does={"heat"})[0]
+
+
+def test_tofu_browns_in_the_pan_before_what_gets_it_wet():
+    done = steps("stir-fry", "Tofu Stir-Fry", tofu="cubed", broccoli="florets", garlic="minced", oil="liquid",
+                 soy_sauce="liquid")  # fmt: skip
+    assert places(done, "tofu", does={"heat"})[0] < places(done, "broccoli", does={"heat"})[0]
+
+
+def test_nuts_stay_crisp_and_beans_are_boiled():
+    rice = steps("rice", "Wild Rice with Pecans", wild_rice="uncooked", pecans="halved", onion="chopped",
+                 vegetable_broth="liquid", butter="melted")  # fmt: skip
+    assert places(rice, "wild rice", does={"heat"})[0] < places(rice, "pecans")[-1]
+    roll = steps("sandwich", "Chacarero", rolls="split", steak="sliced", green_beans="cooked", oil="liquid",
+                 tomato="sliced")  # fmt: skip
+    assert not {"oil"} & roll[places(roll, "green beans", does={"heat"})[0]][1]
+
+
+def test_whipped_cream_waits_until_what_it_lies_on_is_cool():
+    done = steps(
+        "pudding", "Persimmon Pudding", persimmon_pulp="whole", sugar="granulated", eggs="beaten", buttermilk="liquid",
+        baking_soda="powder", flour="powder", baking_powder="powder", cinnamon="ground", salt="granulated",
+        butter="melted", whipped_cream="creamy",
+    )  # fmt: skip
+    motions = [motion for motion, _ in done]
+    assert motions.index("bake") < motions.index("cool down") < places(done, "whipped cream")[0]
+
+
 def test_what_lies_on_noodles_comes_when_nothing_is_cooked_any_more():
     done = steps(
         "noodle", "Noodles", noodle="uncooked", chicken_breast="sliced", oil="liquid", peanut="chopped",

@@ -156,13 +156,25 @@ def phase_in(join: Join, medium: Medium, *, apart: bool) -> str:
     facts = join.want.facts
     if not medium.bath:
         return phase_suited(facts, medium)
-    done = join.want.cooked or join.want.asked in word_list("is so by dry heat")
-    done = done or (apart and facts.is_any(word_list("is boiled by itself")))
-    if done and facts.is_any(word_list("is stirred in last when it is done")):
+    if (_is_done(join, apart=apart) or _is_crisp(join)) and facts.is_any(
+        word_list("is stirred in last when it is done")
+    ):
         return LAST
     uncut = says(words(join.want.label), "is no work for a knife")
     hard = uncut and facts.is_any(word_list("is flesh"))
     return WET if hard and phase_of(facts) in {SOON, LAST} else phase_suited(facts, medium)
+
+
+def _is_done(join: Join, *, apart: bool) -> bool:
+    """Whether a food is done when it joins; ``apart``: what is boiled and drained is boiled by itself."""
+    done = join.want.cooked or join.want.asked in word_list("is so by dry heat")
+    return done or (apart and join.want.facts.is_any(word_list("is boiled by itself")))
+
+
+def _is_crisp(join: Join) -> bool:
+    """Whether a food is in pieces that are eaten as they are, and gets soft in a liquid."""
+    raw = join.want.facts.is_any(word_list("is crisp until it is cooked")) and "cook" not in join.want.facts.owes
+    return raw and join.want.asked not in word_list("is ground")
 
 
 def phase_suited(facts: Food, medium: Medium) -> str:
@@ -184,7 +196,8 @@ def _phase_in_a_pan(facts: Food, phase: str) -> str:
         return REDUCED
     if facts.is_any(word_list("is boiled by itself")):
         return WET  # it is done already
-    return FRIED if phase == WET and facts.is_any(word_list("takes long in the pan")) else phase
+    long = phase == WET and facts.is_any(word_list("takes long in the pan"))
+    return FRIED if long or facts.is_any(word_list("is fried where nothing is wet")) else phase
 
 
 def phase_together(foods: Sequence[Food], *, bath: bool) -> str:
@@ -236,7 +249,7 @@ def _one_after_another(fried: Sequence[Addition]) -> list[list[Addition]]:
 def _turn(addition: Addition) -> int:
     """Return when of all that is fried something comes, counted from 0."""
     kind = addition.facts.kind if addition.facts is not None else ""
-    if kind in word_list("is fried until its fat runs"):
+    if kind in word_list("is fried until its fat runs") | word_list("gives its fat to other flesh"):
         return 0
     return 1 if kind in word_list("is browned before the rest") else 2
 

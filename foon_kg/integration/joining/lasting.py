@@ -30,6 +30,25 @@ def as_long_as_needed(additions: Sequence[Addition], within: Sequence[Join]) -> 
     return [_in_its_hour(one, found) for one in found] if slow else found
 
 
+def tender_flesh_once(additions: Sequence[Addition], order: Sequence[str]) -> list[Addition]:
+    """Return ``additions`` with flesh that is done soon among what is stirred in right after it: it is cooked once.
+
+    ``order`` are the phases of their vessel.
+    """
+    later = [one.phase for one in additions if one.phase in order[order.index(SOON) + 1 :]]
+    if set(later) != {LAST} or not any(one.phase == LAST and one.is_solid for one in additions):
+        return list(additions)
+    return [replace(one, phase=LAST) if one.phase == SOON and _is_raw_flesh(one) else one for one in additions]
+
+
+def _is_raw_flesh(addition: Addition) -> bool:
+    return _is_flesh(addition) and addition.facts is not None and "cook" in addition.facts.owes
+
+
+def _is_flesh(addition: Addition) -> bool:
+    return addition.facts is not None and addition.facts.is_any(word_list("is flesh"))
+
+
 def _takes_hours(join: Join) -> bool:
     """Whether an asked food is tender only after hours in a liquid: tough flesh, or pulses that are dry."""
     want, facts = join.want, join.want.facts
@@ -60,7 +79,7 @@ def _is_cooked_in_it(addition: Addition) -> bool:
     facts = addition.facts
     if facts is None or not addition.is_solid:
         return False
-    return facts.is_any(word_list("is flesh")) or (addition.phase == WET and not facts.is_a("liquid"))
+    return _is_flesh(addition) or (addition.phase == WET and not facts.is_a("liquid"))
 
 
 def _what_scalds_last(addition: Addition) -> Addition:

@@ -38,7 +38,7 @@ from foon_kg.integration.joining.additions import (
     untoasted,
 )
 from foon_kg.integration.joining.course import WORKS, Plan
-from foon_kg.integration.joining.lasting import as_long_as_needed, is_braised
+from foon_kg.integration.joining.lasting import as_long_as_needed, is_braised, tender_flesh_once
 from foon_kg.integration.joining.patterns import STIR
 from foon_kg.integration.joining.spots import Join, Spot, any_is
 from foon_kg.integration.preparing.preparation import Want
@@ -187,7 +187,8 @@ class _Phaser:
             return ()
         additions = self._thickened(self._additions(vessel, adds, medium), medium)
         additions = self._as_a_whole(additions, vessel.within, bath=medium.bath)
-        return self._stages(vessel, in_parts(additions, ORDER if medium.bath else DRY_ORDER), bath=medium.bath)
+        order = ORDER if medium.bath else DRY_ORDER
+        return self._stages(vessel, in_parts(tender_flesh_once(additions, order), order), bath=medium.bath)
 
     def _vessel(self, run: Sequence[Stage], *, sets: bool) -> VesselOverHeat:
         """Return what comes together in one vessel; what is mixed beside it may be ``_taken_out`` of that."""

@@ -112,14 +112,16 @@ class Cooking:
     def _waits_for_the_rest(self, join: Join) -> bool:
         """Whether a food is boiled by itself when its sauce is ready, or what it is served beside.
 
-        Grain waits for what is only fried, which is done in a moment and good then only; a stew waits for it.
+        Grain waits for what is only fried, which is done in a moment and good then only, unless that stands before;
+        a stew waits for it.
         """
         stage, facts = join.spot.stage, join.want.facts
         if facts.is_any(word_list("is boiled by itself")):
             return self.stages.is_boiled_late(join)
         beside = facts.is_any(word_list("is boiled when the rest is ready"))
-        if facts.is_any(word_list("is boiled before the rest is fried")) and self.course.was_only_fried_before(stage):
-            return False
+        stands = any("wait" in one.does for one in self.line.all_stages())
+        if facts.is_any(word_list("is boiled before the rest is fried")) and not stands:
+            return beside and not self.course.was_only_fried_before(stage) and self.stages.is_served_beside(stage)
         return beside and self.stages.is_served_beside(stage)
 
     # --- lines ---

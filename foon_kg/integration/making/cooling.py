@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of
+from foon_kg.integration.bench import Bench, Stuff, Vessel, foods_of, is_baked
 from foon_kg.integration.joining.course import Course, Plan
-from foon_kg.integration.joining.spots import Join
+from foon_kg.integration.joining.spots import Join, any_is
 from foon_kg.integration.preparing.preparation import Ready
 from foon_kg.integration.teaching.frames import Line, Stage
 
@@ -46,12 +46,24 @@ class Cooling:
 
         That is neither by ``stage`` nor by a ``later`` one.
         """
-        incoming = len(self.course.ordered(stage)) + len(beside)
-        if not self.plan.cooled or not incoming or _is_any_hot((stage, *later)):
+        joins = self.course.ordered(stage)
+        melts = any_is(joins, *word_list("melts away on what is hot")) and _is_baked(vessel)
+        if _is_any_hot((stage, *later)) or not (self.plan.cooled or melts):
             return
-        if vessel is not None and self.course.is_hot(stage):
+        incoming = len(joins) + len(beside)
+        if vessel is not None:
+            self._cool_for(incoming, vessel, hot=melts or self.course.is_hot(stage))
+        if vessel is not None or incoming > 1:
+            self._cool_beside(beside)
+
+    def _cool_for(self, incoming: int, vessel: Vessel, *, hot: bool) -> None:
+        """Let cool a vessel that is ``hot``; not where nothing (0) is ``incoming``."""
+        if incoming and hot:
             self._cool_all(vessel)
-        for line, made in beside if vessel is not None or incoming > 1 else ():
+
+    def _cool_beside(self, beside: Sequence[tuple[Line, Vessel]]) -> None:
+        """Let cool what was made hot ``beside`` a dish."""
+        for line, made in beside:
             if _is_any_hot(line.all_stages()):
                 self._cool_all(made)
 
@@ -68,6 +80,10 @@ class Cooling:
         self.bench.heat_off(vessel)
         for stuff in stuffs:
             self.bench.let_cool(vessel, stuff, foods_of(vessel))
+
+
+def _is_baked(vessel: Vessel | None) -> bool:
+    return vessel is not None and any(map(is_baked, vessel.contents))
 
 
 def _is_any_hot(stages: Iterable[Stage]) -> bool:

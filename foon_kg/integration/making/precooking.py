@@ -300,6 +300,8 @@ class Precooking:
         """Return the motions that give a food the cooked state in which it is asked (fried), as the FOON shows."""
         if not want.cooked:
             return ()
+        if want.make in word_list("begins cooked") and want.facts.is_any(word_list("is boiled rather than fried")):
+            return _IN_WATER
         ways = [way for way in self.bench.operators.giving.get(want.make, ()) if self._is_simple_heat(way)]
         found = self.bench.attest(ways, want.names, act=True)
         return (found.way[0],) if found is not None and found.nearness <= Nearness.LIKE else ()
