@@ -33,8 +33,7 @@ CALL (d) {
 WITH count(*) AS evidence
 MATCH (f:Frame)
 CALL (f) {
-  SET f.foods = coalesce(f.foods, []), f.kinds = coalesce(f.kinds, []), f.ends = coalesce(f.ends, []),
-    f.weak = coalesce(f.weak, [])
+  SET f.foods = coalesce(f.foods, []), f.kinds = coalesce(f.kinds, []), f.weak = coalesce(f.weak, [])
 } IN TRANSACTIONS OF 20000 ROWS
 WITH count(*) AS frames
 MATCH (s:Stage)

@@ -1,7 +1,7 @@
-// Of every frame what tells whether it is worth a closer look: its dish type and label, the foods and kinds that join it, and
-// its ends, which are how the dish is heated last, and in what.
+// Of every frame the outline, which tells whether it is worth a closer look: its dish type and label, the foods and kinds that
+// join it, and its ends. It is one text: to read six properties of each frame takes three times the db hits.
 // column: frames
 // mode: read
 // scans: all frames are asked for
 MATCH (f:Frame)
-RETURN collect([f.key, f.dish_type, f.label, f.foods, f.kinds, f.ends]) AS frames
+RETURN collect(f.outline) AS frames

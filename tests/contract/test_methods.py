@@ -129,6 +129,14 @@ def test_how_many_frames_are_kept_changes_none(connection, graph, monkeypatch):
         assert list(map(part.goal_of, whole.frames)) == list(map(whole.goal_of, whole.frames))
 
 
+def test_the_graph_has_the_outlines_of_the_memory(connection, graph):
+    videos = videos_of_the_demo()
+    load(connection, videos)
+    learnt = Snapshot.of(videos, Kitchen.default()).methods().outlines.all
+    with graph.reading() as view:
+        assert view.methods_for(["onion"], "soup").outlines.all == tuple(sorted(learnt, key=lambda one: one.key))
+
+
 def test_only_frames_that_are_looked_at_are_read(connection, graph):
     load(connection, videos_of_the_demo())
     with graph.reading() as view:

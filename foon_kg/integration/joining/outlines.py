@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -25,7 +24,7 @@ Shares = npt.NDArray[np.float64]
 Numbers = npt.NDArray[np.intp]
 
 
-@dataclass(frozen=True)
+@made_often()
 class Outline:
     """The foods and kinds of a frame's slots, and how its dish is heated last (``ends``, :func:`closing_heat`)."""
 

@@ -14,9 +14,6 @@ change it, and the texts of the first sightings of either."""
 MatterValue = tuple[str, list[tuple[int, EvidenceValue]], list[tuple[int, str, int]], list[str]]
 """``[name, evidence, brings, states]`` of a matter: see :class:`MethodsAskedRow`."""
 
-FrameValue = tuple[str, str, str, list[str], list[str], list[str]]
-"""``[key, dish_type, label, foods, kinds, ends]`` of a frame."""
-
 FrameReadValue = tuple[str, str, list[str]]
 """``[key, text, videos]`` of a frame; the videos are those that show a way to its goal."""
 
@@ -84,9 +81,9 @@ class MethodsAskedRow(Row):
 
 
 class FramesRow(Row):
-    """All frames, in no order."""
+    """The texts of the outlines of all frames, in no order."""
 
-    frames: list[FrameValue]
+    frames: list[str]
 
 
 class FramesReadRow(Row):

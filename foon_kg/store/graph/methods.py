@@ -9,14 +9,14 @@ from functools import cached_property
 from foon_kg.food import tables
 from foon_kg.integration.joining.joining_counts import JoiningCounts
 from foon_kg.integration.joining.layouts import Layout
-from foon_kg.integration.joining.outlines import Outline, Outlines
+from foon_kg.integration.joining.outlines import Outlines
 from foon_kg.integration.joining.spots import StageType
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.teaching.frames import Frame
 from foon_kg.integration.teaching.operators import Evidence, Operators, Way
 from foon_kg.model import Goal, Sighting
 from foon_kg.model.recent import Recent
-from foon_kg.store.graph.frame_rows import frame_of
+from foon_kg.store.graph.frame_rows import frame_of, outline_of
 from foon_kg.store.graph.lifting import ANYTHING, APPLIANCE, KIND
 from foon_kg.store.graph.method_rows import (
     EvidenceValue,
@@ -130,10 +130,7 @@ class LearntDishes:
     def __init__(self, row: FramesRow) -> None:
         self._layouts: Recent[str, Layout] = Recent(MOST_LAYOUTS)
         self._videos: dict[tuple[str, str], tuple[str, ...]] = {}
-        self.outlines = Outlines(
-            Outline(key, dish_type, label, frozenset(foods), frozenset(kinds), (ends[0], ends[1]))
-            for key, dish_type, label, foods, kinds, ends in sorted(row.frames)
-        )
+        self.outlines = Outlines(map(outline_of, sorted(row.frames)))
 
     def layouts(self, keys: Sequence[str], ask: Ask) -> list[Layout]:
         """Return the places of the frames called ``keys``, in that order.

@@ -89,7 +89,7 @@ NODES = (
     Nodes("Post", ("name:string", "work:string", "heated:string", "joins:boolean")),
     Nodes(
         "Frame",
-        ("key:string", "dish_type:string", "label:string", "foods:string[]", "kinds:string[]", "ends:string[]",
+        ("key:string", "dish_type:string", "label:string", "foods:string[]", "kinds:string[]", "outline:string",
          "weak:string[]", "text:string"),
     ),
     Nodes(
