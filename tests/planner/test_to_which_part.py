@@ -258,3 +258,17 @@ def test_balls_under_a_heading_for_their_sauce_are_poached_in_it(steps):
                  "egg yolk:uncooked:sauce")  # fmt: skip
     assert inside(told, "shape") == {"minced veal", "roll", "egg"}
     assert inside(told, "whisk") == {"egg yolk", "cream"}
+
+
+def test_fried_onions_of_a_title_come_between_the_halves_of_a_roll(steps):
+    told = steps("burger", "Burgers with Caramelised Onions on Barm Cakes", "beef mince:uncooked", "onions:sliced",
+                 "butter:unmelted", "sugar:granulated", "barm cakes:whole", "cheddar:sliced")  # fmt: skip
+    assert inside(told, "shape") == {"beef mince"}
+    assert taking(told, "cook and stir") >= {"onions", "butter", "sugar"}
+    assert "barm cakes" in told[-1][0]
+
+
+def test_the_flour_of_a_coating_stays_out_of_the_sauce_that_is_shaped(steps):
+    told = steps("meatball", "Bitterballen", "cooked beef:shredded", "butter:unmelted", "flour:powder",
+                 "beef stock:liquid", "flour:powder", "eggs:beaten", "breadcrumbs:crumbs", "oil:liquid")  # fmt: skip
+    assert motions(told).count("dip") == 3

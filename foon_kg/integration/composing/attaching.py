@@ -64,6 +64,9 @@ def _with_side(
 
 def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
     """Return a line with ``target`` at its place, that stage there, and by identity what became of others."""
+    if at == "between" and only_carries(line.stages[-1]):
+        whole, changed = with_line(line, line.stages[-1], target.lines[0])
+        return whole, changed[id(line.stages[-1])], changed
     worked = _worked_at(line, at)
     if worked and at == "simmered":
         return _attached_simmering(line, worked[-1], target)
