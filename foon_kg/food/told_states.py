@@ -16,7 +16,8 @@ def asked_state(states: Sequence[str], known: Tables) -> str:
     """Return the state that is asked by all ``states``, told in the order in which they come about; ``""`` of none.
 
     That is the last that stays (of "melted, cooled" melted). Where heat made it or a can held it before that, both are
-    asked; so are a cut and the cooking after it. What heat makes and what is cut is read from the tables ``known``.
+    asked; so are a cut and the cooking after it, and smoked or cured before a cut. What heat makes and what is cut is
+    read from the tables ``known``.
     """
     staying = [state for state in states if state not in word_list("passes")] or list(states[-1:])
     if not staying:
@@ -48,7 +49,7 @@ def _matters_for(last: str, state: str, known: Tables) -> bool:
     if _is_of_heat(last, known):
         wet = last in word_list("is so by boiling") | word_list("begins cooked")  # toasted nuts are sold cut
         return wet and bool(known.state(state).fine)
-    return _is_of_heat(state, known) or state in word_list("is in a can")
+    return _is_of_heat(state, known) or state in word_list("is in a can") | word_list("is bought so before it is cut")
 
 
 def _is_of_heat(state: str, known: Tables) -> bool:

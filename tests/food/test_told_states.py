@@ -53,6 +53,18 @@ def test_another_word_for_a_cut_means_the_listed_state_and_says_as_much_of_a_foo
     assert tables().state(word).earns == tables().state(state).earns
 
 
+@pytest.mark.parametrize(
+    ("told", "asked"),
+    [
+        (["smoked", "sliced"], "smoked, sliced"),
+        (["leftover", "chopped"], "leftover, chopped"),
+        (["fresh", "sliced"], "sliced"),
+    ],
+)
+def test_what_is_bought_smoked_and_cut_then_is_asked_both(told, asked):
+    assert asked_state(told, tables()) == asked
+
+
 @pytest.mark.parametrize("word", ["sliced", "smoky", "", "leaves", "skin on"])
 def test_what_is_listed_or_no_cut_is_left_as_it_is_said(word):
     assert tables().state_called(word) == word

@@ -62,7 +62,7 @@ def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Ope
     divided = _divided_then(want, first, last, known)
     if first.cooked:
         return replace(first, then=divided, as_written=one.state)
-    if before[-1] in word_list("is in a can"):
+    if before[-1] in word_list("is in a can") | word_list("is bought so before it is cut"):
         return replace(first, make=divided, as_written=one.state)
     return replace(want, as_written=one.state)
 
