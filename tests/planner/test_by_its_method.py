@@ -150,3 +150,16 @@ def test_boiled_eggs_lie_in_the_middle_of_a_stuffed_loaf_and_not_in_its_mince(st
     assert "egg" in mixed
     assert "eggs" not in mixed
     assert first(told, "egg", "mix") < first(told, "eggs", "roll")
+
+
+def test_milk_that_starch_sets_and_tapioca_are_cooked_and_chilled(steps):
+    told = steps("pudding", "Malabi", "milk:liquid", "cornstarch:powder", "sugar:granulated", "rose water:liquid")
+    assert first(told, "cornstarch", "beat") < motions(told).index("cook and stir") < motions(told).index("chill")
+    told = steps("pudding", "", "tapioca:ground", "milk:liquid", "egg yolk:beaten", "sugar:ground", "salt:ground")
+    assert first(told, "tapioca", "cook and stir") < motions(told).index("chill")
+    assert "bake" not in motions(told)
+
+
+def test_sandies_are_shaped_before_they_are_baked(steps):
+    told = steps("cookie", "Pecan Sandies", "butter:softened", "sugar:granulated", "flour:powder", "pecans:chopped")
+    assert motions(told).index("shape") < motions(told).index("bake")
