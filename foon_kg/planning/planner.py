@@ -24,7 +24,7 @@ from foon_kg.goals.choice import Fit, fits, refusals, shortlisted
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.composing.apart import apart
 from foon_kg.integration.composing.called import Called, arranged
-from foon_kg.integration.composing.drinks import can_be_blended, can_be_warmed
+from foon_kg.integration.composing.glasses import can_be_blended, can_be_warmed
 from foon_kg.integration.composing.listed import as_listed
 from foon_kg.integration.composing.parts import Part, parts_of
 from foon_kg.integration.final_tree import FinalTree, final_tree
@@ -291,9 +291,9 @@ class PlannedRecipe:
         line, joins, one_pot = arranged(frame.line, fit.joins, self.parts, called, self.known)
         label = frame.goal.label if has_its_name(fit, asked, dish_type, tin, self.technique) else dish_type
         plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased(asked), one_pot=one_pot)
-        is_drink, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
+        in_glass, cold = dish_type in word_list("is drunk"), "cold" in self.technique.plan if self.technique else False
         fat = household_fat(self.wants, asked.title, self.kitchen, self.settings.avoided, bench.operators)
-        plan = replace(plan, is_drink=is_drink, cold=cold, cooled=asked.is_eaten_cold, by_bites=asked.by_bites, fat=fat)
+        plan = replace(plan, in_glass=in_glass, cold=cold, cooled=asked.is_eaten_cold, by_bites=asked.by_bites, fat=fat)
         plan = as_told(plan, asked, tin) if self.technique is None else replace(plan, by_table=True)
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()

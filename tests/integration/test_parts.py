@@ -12,8 +12,8 @@ from integration.told import KITCHEN, snapshot_of
 
 from foon_kg.food import tables
 from foon_kg.integration.composing.coated import coated_alone, coated_apart
-from foon_kg.integration.composing.drinks import garnished, stirred
 from foon_kg.integration.composing.folded import folded, is_folded
+from foon_kg.integration.composing.glasses import garnished, stirred
 from foon_kg.integration.composing.parts import baked_at_last
 from foon_kg.integration.composing.pots import is_never_heated, unheated, unmixed
 from foon_kg.integration.composing.poured_over import dressed_apart

@@ -84,6 +84,15 @@ def test_whipped_cream_waits_until_what_it_lies_on_is_cool():
     assert motions.index("bake") < motions.index("cool down") < places(done, "whipped cream")[0]
 
 
+def test_water_is_not_hot_before_what_cools_and_so_waits_for_nothing():
+    done = steps(
+        "salad", "", quinoa="grain", chicken="chopped", apple="halved", lemon="juice", olive_oil="liquid",
+        salt="ground",
+    )  # fmt: skip
+    motions = [motion for motion, *_ in done]
+    assert motions.index("cool down") < motions.index("boil")
+
+
 def test_what_lies_on_noodles_comes_when_nothing_is_cooked_any_more():
     done = steps(
         "noodle", "Noodles", noodle="uncooked", chicken_breast="sliced", oil="liquid", peanut="chopped",

@@ -122,7 +122,7 @@ def _wait_for(steps: Sequence[Done], boils: int) -> _Wait | None:
     begins = _begin_of_water(steps, boils, pot.container_thing)
     off = _last(steps[:begins], lambda one: one.step.motion == "turn off")
     pan = steps[off].step.outputs[0] if off is not None else None
-    if pan is None or pan.node.container in {None, pot.node.container} or not _is_full(steps[:begins], pan):
+    if pan is None or pan.node.container in {None, pot.node.container} or not _is_full_and_hot(steps[:begins], pan):
         return None
     stood = _last(steps[:begins], lambda one: _stands(one, pan.container_thing))
     return None if stood is None else _Wait(pot.container_thing, pan.container_thing, stood, begins, boils)
@@ -166,11 +166,11 @@ def _over_heat(mentions: Sequence[Mention]) -> set[int | None]:
     return {mention.container_thing for mention in mentions if _is_burner(mention)}
 
 
-def _is_full(steps: Sequence[Done], burner: Mention) -> bool:
-    """Whether something is in the vessel on a ``burner`` after ``steps``."""
+def _is_full_and_hot(steps: Sequence[Done], burner: Mention) -> bool:
+    """Whether something is in the vessel on a ``burner`` after ``steps``, and has not cooled there."""
     pan = burner.container_thing
-    told = (mention for done in reversed(steps) for mention in done.step.outputs if mention.thing == pan)
-    return any(mention.node.ingredients for mention in itertools.islice(told, 1))
+    told = (mention.node for done in reversed(steps) for mention in done.step.outputs if mention.thing == pan)
+    return any(node.ingredients and "hot" in node.states for node in itertools.islice(told, 1))
 
 
 def _is_burner(mention: Mention) -> bool:

@@ -19,9 +19,9 @@ from foon_kg.food.techniques import Technique
 from foon_kg.integration.composing.attaching import with_sides
 from foon_kg.integration.composing.coated import coated_alone
 from foon_kg.integration.composing.components import Side
-from foon_kg.integration.composing.drinks import for_many, garnished, is_heated, stirred
 from foon_kg.integration.composing.folded import folded, is_folded
 from foon_kg.integration.composing.formed import formed, formed_within, is_formed
+from foon_kg.integration.composing.glasses import for_many, garnished, is_heated, stirred
 from foon_kg.integration.composing.marinated import marinated
 from foon_kg.integration.composing.named import as_named
 from foon_kg.integration.composing.parts import Part, baked_at_last, with_parts
@@ -77,7 +77,7 @@ class Called:
         return says(self.name_words, "boils in the dish")
 
     @property
-    def is_drink(self) -> bool:
+    def in_glass(self) -> bool:
         """Whether it is a drink."""
         return self.dish_type in word_list("is drunk")
 
@@ -100,7 +100,7 @@ def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: C
     line, joins = marinated(made.line, made.joins, called.technique)
     line, joins = with_sides(line, joins, called.sides, words(called.title), known)
     line, joins = as_named(line, joins, [one for one, _ in called.asks], known)
-    if called.is_drink:
+    if called.in_glass:
         line, joins = for_many(line, joins, words(called.title))
     return Arranged(line, joins, made.one_pot)
 
@@ -121,14 +121,14 @@ def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: 
         line, joins = folded(joins)
     beside = not any(map(called.has, ("stacked", "baked", "formed")))
     line, joins = (
-        _drink_line(line, joins, called, known)
-        if called.is_drink
+        _glass_line(line, joins, called, known)
+        if called.in_glass
         else wedges_last(line, joins, spooned=called.boils, slices_beside=beside)
     )
     return _in_the_pot(line, joins, called, known)
 
 
-def _drink_line(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
+def _glass_line(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
     """Return how a drink is made: heated or blended as it is called, where this FOON shows how, stirred, garnished."""
     if not is_heated(line) and called.warms:
         line, joins = as_a_way_says(line, joins, (), called.words, known, when="warmed")

@@ -156,7 +156,7 @@ def phase_in(join: Join, medium: Medium, *, apart: bool) -> str:
     facts = join.want.facts
     if not medium.bath:
         return phase_suited(facts, medium)
-    if (_is_done(join, apart=apart) or _is_crisp(join)) and facts.is_any(
+    if (_is_done(join, apart=apart) or _gets_soft(join)) and facts.is_any(
         word_list("is stirred in last when it is done")
     ):
         return LAST
@@ -171,9 +171,9 @@ def _is_done(join: Join, *, apart: bool) -> bool:
     return done or (apart and join.want.facts.is_any(word_list("is boiled by itself")))
 
 
-def _is_crisp(join: Join) -> bool:
+def _gets_soft(join: Join) -> bool:
     """Whether a food is in pieces that are eaten as they are, and gets soft in a liquid."""
-    raw = join.want.facts.is_any(word_list("is crisp until it is cooked")) and "cook" not in join.want.facts.owes
+    raw = join.want.facts.is_any(word_list("gets soft in a liquid")) and "cook" not in join.want.facts.owes
     return raw and join.want.asked not in word_list("is ground")
 
 

@@ -29,7 +29,7 @@ class Plan:
     ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork;
     ``laid``: it lies on dough, and bakes no longer than that; ``portioned``: its dough is cut into pieces;
     ``spooned``: all that is in it is eaten with the spoon; ``by_bites``: with a spoon or fork alone;
-    ``is_drink``: it is served in a glass; ``closed_by``: what is done at last to bread around what lies on it;
+    ``in_glass``: it is served in a glass; ``closed_by``: what is done at last to bread around what lies on it;
     ``by_table``: a technique says all of it; ``fat`` is what it may be fried in though nobody asked for any.
     """
 
@@ -50,7 +50,7 @@ class Plan:
     portioned: bool = False
     spooned: bool = False
     by_bites: bool = False
-    is_drink: bool = False
+    in_glass: bool = False
     closed_by: str = ""
     by_table: bool = False
     fat: Want | None = None

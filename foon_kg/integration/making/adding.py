@@ -117,7 +117,7 @@ class Adding:
     def _has_set(self, vessel: Vessel) -> bool:
         """Whether what is made by a table stood in the cold to set: what comes then lies on it, unless it is drunk."""
         cold = any(says(stuff.states, "was set in the cold") for stuff in vessel.contents)
-        return cold and self.plan.by_table and not self.plan.is_drink
+        return cold and self.plan.by_table and not self.plan.in_glass
 
 
 def _is_fat(one: Join | Vessel) -> bool:

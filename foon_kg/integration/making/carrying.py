@@ -311,7 +311,7 @@ class Frying:
 
     def is_due(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
         """Return whether fat is due in a ``pan`` for what ``comes`` into it."""
-        return not self.plan.is_drink and not pan.contents and self._is_dry(pan, comes)
+        return not self.plan.in_glass and not pan.contents and self._is_dry(pan, comes)
 
     def keeps_dry(self, pan: Vessel, comes: Sequence[Stuff]) -> bool:
         """Return whether what ``comes``, foods or what was shaped of some, fries dry in a ``pan``, and gives no fat."""

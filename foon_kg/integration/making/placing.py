@@ -162,7 +162,7 @@ class Placing(Hands):
     def _is_bed(self, join: Join, stage: Stage) -> bool:
         """Whether that of ``join`` lies under the dish where ``stage`` only serves it: rice, a leaf in one piece."""
         plan, want = self.plan, join.want
-        if plan.stacked or plan.laid or plan.is_drink or not only_carries(stage):
+        if plan.stacked or plan.laid or plan.in_glass or not only_carries(stage):
             return False
         if want.facts.is_any(word_list("lies under what is served")):
             return True

@@ -108,7 +108,7 @@ class Readying:
     def _is_stirred_in(self, join: Join) -> bool:
         """Whether a food is mixed with the rest of what is eaten, and neither lies on it nor swims in a glass."""
         mixed = self.plan.in_pieces or _is_done_later(join, MIXES)
-        return mixed and not self.plan.is_drink and not join.on_top
+        return mixed and not self.plan.in_glass and not join.on_top
 
     def _as_soft_as_needed(self, join: Join) -> Want:
         """Return a want that lay out of the refrigerator where it is beaten, or stirred with what is sweet."""

@@ -82,7 +82,7 @@ class Serving(Hands):
         self.bench.heat_off(vessel)
         self.bench.all_off()
         group, dish = self._group(vessel), vessel.contents[0]
-        if self.plan.is_drink and group in word_list("is not drunk from"):
+        if self.plan.in_glass and group in word_list("is not drunk from"):
             return self._brought(vessel, "mug" if vessel.hot else "drinking glass", stage)
         if not self._is_cooked_in(vessel) or "chilled" in dish.states:
             return vessel

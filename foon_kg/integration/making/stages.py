@@ -150,7 +150,7 @@ class Stages:
         if self.plan.by_table and not stage.motion:
             return any("wait" in one.does for one in later)
         laid = bool(joins) and all(join.slot is not None and join.slot in stage.adds for join in joins)
-        return laid and "wait" in stage.does and not (self.plan.in_pieces or self.plan.is_drink)
+        return laid and "wait" in stage.does and not (self.plan.in_pieces or self.plan.in_glass)
 
     def would_be_dry(self, stage: Stage, stuffs: Sequence[Join | Vessel]) -> bool:
         """Return whether ``stuffs`` that are solid come at ``stage`` into a pan with nothing to cook in."""

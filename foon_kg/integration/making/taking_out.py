@@ -29,7 +29,7 @@ class TakingOut:
         if want.facts.is_any(word_list("is taken out of the dish")):
             return True
         powder = bool(want.make) and fineness([want.make], self.known) >= POWDER  # nothing of it stays in a strainer
-        return self.plan.is_drink and not powder and want.facts.is_any(word_list("is taken out of what is drunk"))
+        return self.plan.in_glass and not powder and want.facts.is_any(word_list("is taken out of what is drunk"))
 
     def is_due(self, vessel: Vessel) -> bool:
         """Return whether something in ``vessel`` only gives its taste."""
@@ -47,7 +47,7 @@ class TakingOut:
         """
         wants = self._to_take_out(vessel)
         loose = any(not want.facts.is_any(word_list("is taken out of the dish")) for want in wants)
-        if self.plan.is_drink and loose and len(vessel.contents) == 1:  # a bag or a stick is lifted out
+        if self.plan.in_glass and loose and len(vessel.contents) == 1:  # a bag or a stick is lifted out
             return self._strain(vessel, wants)
         ways = self.lifting_ways()
         for whole in list(vessel.contents):
@@ -69,7 +69,7 @@ class TakingOut:
         """Return what only gives its taste to what is in a vessel, and was not ground to a paste before."""
         ground = {join.want.number for join in self.plan.joins if "blend" in join.spot.stage.does}
         return [
-            want for want in self.inside(vessel, self._is_taken_out) if self.plan.is_drink or want.number not in ground
+            want for want in self.inside(vessel, self._is_taken_out) if self.plan.in_glass or want.number not in ground
         ]
 
     def inside(self, vessel: Vessel, is_such: Callable[[Want], bool]) -> list[Want]:
