@@ -124,3 +124,14 @@ def test_oil_of_the_household_is_told_for_each_pan_into_which_it_comes(public_pl
     )  # fmt: skip
     assert len(fats(result)) > 1
     assert len([one for one in result.assumptions if one.node.label == "oil"]) == len(fats(result))
+
+
+def test_fat_is_hot_before_food_comes_to_it_and_fried_potatoes_are_lifted_out_of_it(public_plans):
+    asked = ("pork loin:diced", "clam:whole", "garlic:crushed", "white wine:liquid", "lard:creamy", "potatoes:fried")
+    told = [(unit.motion, unit.input_nodes) for unit in public_plans("pork", "Pork and Clams", *asked).units]
+    (melted, fried) = [
+        motion for motion, nodes in told for node in nodes if (node.label, node.container) == ("lard", "cooking pan")
+    ][:2]
+    assert (melted, fried) == ("melt", "cook and stir")
+    (out,) = [nodes for motion, nodes in told if motion == "remove" and any(node.label == "tong" for node in nodes)]
+    assert {"potatoes", "lard"} & {node.label for node in out} == {"potatoes"}

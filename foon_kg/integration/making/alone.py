@@ -15,6 +15,7 @@ from foon_kg.integration.making.cooling import Cooling
 from foon_kg.integration.making.outcome import says_raw
 from foon_kg.integration.making.precooking import Precooking
 from foon_kg.integration.making.water import BASKET, POT, STEAM, Steam
+from foon_kg.integration.making.working import Worker
 from foon_kg.integration.preparing.preparation import Ready, Want, owed
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.frames import HEATS, Stage
@@ -29,13 +30,14 @@ class Alone:
     ``ready`` are the prepared foods by the numbers of what was asked.
     """
 
-    def __init__(self, precooking: Precooking, carry: Carrier, ready: dict[int, Ready]) -> None:
+    def __init__(self, precooking: Precooking, carry: Carrier, work: Worker, ready: dict[int, Ready]) -> None:
         self.bench: Bench = precooking.bench
         self.known: Tables = self.bench.known
         self.precooking = precooking
         self.plan = precooking.plan
         self.preparer = precooking.preparer
         self.carry = carry
+        self.work = work
         self.ready = ready
         self.frying = Frying(self.bench, self.plan)
         self.cooling = Cooling(self.bench, self.plan, precooking.course)
@@ -271,6 +273,7 @@ class Alone:
         if needs_fat and not says(method, "is done dry") and not self.precooking.is_toasted_in_a_pan(want):
             _ = self.carry.add_fat(pan, self.plan) or self.frying.add_fat(pan, [ready.stuff])
         bench.switch(pan, device, on=True)
+        self.work.heat_fat(pan)
         self.carry.bring(ready, pan, None)
         stuff = ready.stuff
         attested = bench.require(self._pan_ways(ready, method), want.names)
@@ -279,14 +282,19 @@ class Alone:
         def change() -> None:
             stuff.states = states
             pan.hot = True
-            for other in pan.contents:
-                if other is not stuff and self._melts(other):
-                    other.states = ("melted",)
 
         bench.emit(attested, [pan, (device, pan), *pan.contents], change, [pan, *pan.contents])
         bench.switch(pan, device, on=False)
         if want.facts.is_any(word_list("is fried until its fat runs")):
             self._leave_its_fat(ready, pan)
+        elif want.facts.is_any(word_list("is taken out of its fat")):
+            self._take_out_of_fat(ready, pan)
+
+    def _take_out_of_fat(self, ready: Ready, pan: Vessel) -> None:
+        """Lift a food out of the fat that it was fried in, which stays in the pan."""
+        attested = self.bench.near_or_far(self.work.taking_out.lifting_ways(), ready.want.names)
+        if attested is not None and len(pan.contents) > 1:
+            self.bench.bring([ready.stuff], self.bench.vessel("plate"), attested, leaves=True)
 
     def _leave_its_fat(self, ready: Ready, pan: Vessel) -> None:
         """Lift a food out of the pan where its fat is all that the rest can be fried in."""
@@ -311,11 +319,6 @@ class Alone:
         pieces = any(1 < self.known.state(state).fineness < POWDER for state in ready.stuff.states)
         loose = pieces or ready.want.facts.is_any(word_list("lies loose"))
         return loose and set(method) == {"cook"} and not self.precooking.pours(ready.want)
-
-    def _melts(self, stuff: Stuff) -> bool:
-        """Whether it is fat that does not run yet."""
-        solid = form_of(self.known, stuff.label, stuff.states) != "liquid"
-        return solid and self.known.foods.food(stuff.label).is_a("fat")
 
 
 def _joins_as(join: Join) -> tuple[str, ...]:

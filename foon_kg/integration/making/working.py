@@ -170,9 +170,9 @@ class Worker:
         stuffs, device = list(vessel.contents), vessel.device
         if device is None or vessel.hot or not self._is_only_fat(stuffs):
             return
-        solid = [stuff for stuff in stuffs if not self.known.foods.food(stuff.label).is_a("liquid")]
+        solid = [stuff for stuff in stuffs if form_of(self.known, stuff.label, stuff.states) != "liquid"]
         motions = word_list("makes fat run" if solid else "makes fat hot")
-        attested = self.bench.attest([way for way in self.bench.ways_by(motions) if not way[1]], foods_of(vessel))
+        attested = self.bench.near_or_far([way for way in self.bench.ways_by(motions) if not way[1]], foods_of(vessel))
         if attested is None:
             return
 
