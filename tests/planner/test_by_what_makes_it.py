@@ -66,6 +66,28 @@ def test_a_joint_of_ham_is_glazed_when_it_was_roasted_and_is_carved(steps):
     assert first(told, "gammon joint", "slice") > motions(told).index("bake")
 
 
+@pytest.mark.parametrize(
+    ("title", "foods"),
+    [
+        ("Cheese and Onion Pie", ("onions:sliced", "butter:unmelted", "Lancashire cheese:grated")),
+        ("Cheese and Potato Pie", ("potatoes:diced", "onion:chopped", "cheddar:grated", "milk:liquid")),
+        ("Leek and Stilton Pie", ("leeks:sliced", "butter:stick", "flour:powder", "milk:liquid", "Stilton:crumbled")),
+        ("Corned Beef and Onion Pie", ("corned beef:canned", "onions:chopped", "potatoes:diced")),
+    ],
+)
+def test_a_pie_of_cheese_or_roots_gets_a_lid_with_its_egg_on_it(steps, title, foods):
+    told = steps("pie", title, "shortcrust pastry:raw", *foods, "egg:beaten")
+    base, lid = (n for n, one in enumerate(told) if one[1] == "pick-and-place" and "shortcrust pastry" in one[0])
+    filled, brushed = first(told, "filling", "pour"), first(told, "egg", "brush")
+    assert base < filled < lid < brushed < motions(told).index("bake")
+
+
+def test_eggs_and_milk_set_as_a_custard_in_a_pie_without_a_lid(steps):
+    told = steps("pie", "Cheese and Bacon Pie", "shortcrust pastry:raw", "eggs:uncooked", "milk:liquid",
+                 "cheddar:grated", "bacon:chopped", "onion:chopped")  # fmt: skip
+    assert {"eggs", "milk", "cheddar"} <= taking(told, "mix")
+
+
 def test_onions_are_fried_and_roots_boiled_before_a_pie_is_baked(steps):
     told = steps("pie", "Homity Pie", "plain flour:powder:pastry", "butter:diced:pastry", "water:cold:pastry",
                  "potatoes:cubed:filling", "onions:chopped:filling", "oil:liquid:filling",
