@@ -163,3 +163,63 @@ def test_milk_that_starch_sets_and_tapioca_are_cooked_and_chilled(steps):
 def test_sandies_are_shaped_before_they_are_baked(steps):
     told = steps("cookie", "Pecan Sandies", "butter:softened", "sugar:granulated", "flour:powder", "pecans:chopped")
     assert motions(told).index("shape") < motions(told).index("bake")
+
+
+def test_fruit_in_a_juice_with_starch_is_cooked_before_it_fills_a_crust(steps):
+    told = steps(
+        "pie", "", "pie crusts:raw", "raisins:whole", "water:liquid", "sugar:granulated", "cornstarch:powder"
+    )  # fmt: skip
+    assert first(told, "cornstarch", "beat") < motions(told).index("cook and stir") < motions(told).index("bake")
+    assert first(told, "raisins", "cook and stir") < first(told, "pie crusts", "bake")
+
+
+def test_fresh_berries_lie_raw_in_a_baked_crust_under_their_glaze(steps):
+    told = steps(
+        "pie", "Fresh Strawberry Pie", "pie shell:baked", "strawberries:whole", "sugar:granulated",
+        "cornstarch:powder", "water:liquid",
+    )  # fmt: skip
+    (baked,) = [inputs for inputs, motion, _ in told if motion == "bake"]
+    assert "strawberries" not in baked
+    (cooked,) = [inputs for inputs, motion, _ in told if motion == "cook and stir"]
+    assert "strawberries" not in cooked
+    assert motions(told).index("cook and stir") < motions(told).index("chill")
+
+
+def test_shellfish_joins_a_bisque_after_it_is_blended(steps):
+    told = steps(
+        "soup", "Shrimp Bisque", "shrimp:peeled", "onion:chopped", "butter:unmelted", "flour:powder",
+        "seafood stock:liquid", "heavy cream:creamy",
+    )  # fmt: skip
+    blended = motions(told).index("blend")
+    assert first(told, "onion", "cook and stir") < blended < first(told, "shrimp", "simmer")
+
+
+def test_roots_with_an_apple_are_blended_when_they_are_soft(steps):
+    told = steps("soup", "", "beets:chopped", "apple:chopped", "onion:chopped", "oil:liquid", "stock:liquid")
+    assert motions(told).index("simmer") < motions(told).index("blend")
+
+
+def test_what_is_fried_in_flour_has_the_gravy_of_its_title(steps):
+    told = steps(
+        "pork", "Pork Chops with Cream Gravy", "pork chops:raw", "flour:powder", "oil:liquid", "milk:liquid",
+        "salt:granulated",
+    )  # fmt: skip
+    (stirred, *_) = [inputs for inputs, motion, _ in reversed(told) if motion == "cook and stir"]
+    assert {"flour", "milk"} <= stirred
+    assert len(dips(told)) == 2
+
+
+def test_dumplings_of_pulse_flour_are_shaped_and_fried_before_the_pot(steps):
+    told = steps(
+        "vegetables", "Undhiyu", "purple yam:cubed", "baby aubergines:slit", "fenugreek leaves:chopped",
+        "gram flour:powder", "turmeric:ground", "oil:liquid", "salt:granulated",
+    )  # fmt: skip
+    assert first(told, "gram flour", "mix") < motions(told).index("shape") < motions(told).index("simmer")
+
+
+def test_the_peppers_of_a_huancaina_are_fried_before_they_are_blended(steps):
+    told = steps(
+        "potatoes", "Papas a la Huancaína", "potatoes:whole", "ají amarillo peppers:whole", "onion:chopped",
+        "queso fresco:block", "soda crackers:whole", "evaporated milk:liquid", "vegetable oil:liquid",
+    )  # fmt: skip
+    assert first(told, "ají amarillo peppers", "cook and stir") < motions(told).index("blend")
