@@ -193,3 +193,14 @@ def test_a_sauce_of_honey_comes_after_what_is_fried_for_a_moment(steps):
                  "ginger:minced", "honey:thick liquid", "oil:juice", "water:juice")  # fmt: skip
     poured = next(place for place, (inputs, _, _) in enumerate(told) if {"mixture", "cooking pan"} <= inputs)
     assert max(first(told, food, "cook and stir") for food in ("tempeh", "bok choy", "pepper")) < poured
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "flesh"),
+    [("pork", "Pork Chops with Mashed Potatoes", "pork chops:raw"), ("sausage", "Bangers and Mash", "sausages:raw")],
+)
+def test_potatoes_for_mash_are_boiled_once_and_flesh_without_a_gravy_is_only_fried(steps, dish_type, title, flesh):
+    told = steps(dish_type, title, flesh, "oil:liquid", "potatoes:whole", "butter:solid", "milk:liquid", "salt:ground")
+    assert motions(told).count("boil") == 1
+    assert {"potatoes", "butter", "milk", "salt"} <= taking(told, "mash")
+    assert "simmer" not in motions(told)
