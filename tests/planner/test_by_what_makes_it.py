@@ -204,3 +204,40 @@ def test_potatoes_for_mash_are_boiled_once_and_flesh_without_a_gravy_is_only_fri
     assert motions(told).count("boil") == 1
     assert {"potatoes", "butter", "milk", "salt"} <= taking(told, "mash")
     assert "simmer" not in motions(told)
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "starch"),
+    [("pasta", "Hamburger Macaroni Skillet", "elbow macaroni:uncooked"),
+     ("noodle", "Hamburger Paprika Noodles", "egg noodles:uncooked"),
+     ("rice", "Cheeseburger Rice Skillet", "rice:uncooked")],
+)  # fmt: skip
+def test_mince_that_a_dish_of_pasta_or_rice_is_called_after_is_not_shaped(steps, dish_type, title, starch):
+    told = steps(dish_type, title, "ground beef:raw", "onion:diced", starch, "tomato sauce:canned", "cheddar:shredded")
+    assert "shape" not in motions(told)
+    assert {"ground beef", "onion"} <= taking(told, "cook and stir")
+
+
+def test_what_is_called_a_melt_is_fried_with_its_bread_around_it(steps):
+    told = steps("sandwich", "Turkey and Apple Melts", "bread:sliced", "deli turkey:sliced", "apple:sliced",
+                 "cheddar:grated", "butter:softened")  # fmt: skip
+    assert motions(told)[-4:-2] == ["flip", "cook"]
+
+
+def test_scalloped_corn_is_baked_in_its_eggs(steps):
+    told = steps("vegetables", "Scalloped Corn", "corn:canned", "crackers:crushed", "eggs:beaten", "milk:liquid",
+                 "butter:melted")  # fmt: skip
+    assert "oven" in taking(told, "bake")
+
+
+@pytest.mark.parametrize("fruit", ["pears", "rhubarb"])
+def test_a_pudding_that_is_called_steamed_is_steamed_in_its_basin(steps, fruit):
+    told = steps("pudding", f"Steamed Ginger and {fruit.title()} Pudding", f"{fruit}:sliced", "butter:softened",
+                 "sugar:granulated", "eggs:uncooked", "self-raising flour:powder", "milk:liquid")  # fmt: skip
+    assert "pudding basin" in taking(told, "steam")
+
+
+@pytest.mark.parametrize("fruit", ["gooseberry:berries", "apple:peeled", "plum:halved"])
+def test_fruit_and_sugar_without_a_title_are_cooked_to_a_sauce(steps, fruit):
+    told = steps("sauce", "", fruit, "sugar:ground", "water:juice")
+    assert fruit.split(":")[0] in taking(told, "cook and stir")
