@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
@@ -46,9 +46,10 @@ def _off_before(before: Sequence[Done], done: Done, known: Tables) -> int | None
         step = before[place].step
         if step.inputs == (on,) and step.outputs == (off,):
             return place
-        # only what brings food into that very vessel may come between
-        into = any(mention.thing == off.container_thing for mention in step.outputs)
-        if not into or not known.motion(step.motion).does <= _BRINGS:
+        # only what brings food into that very vessel, while it stays where it is, may come between
+        told = {mention.thing for mention in step.outputs}
+        stays = off.container_thing in told and off.thing not in told
+        if not stays or not known.motion(step.motion).does <= _BRINGS:
             return None
     return None
 
@@ -66,7 +67,31 @@ def with_water_hot_in_time(done: Sequence[Done], known: Tables) -> list[Done]:
     for one in done:
         if _is_boiling(one):
             steps = _put_on_earlier(steps, steps.index(one), known)
-    return steps
+    return steps if steps == list(done) else _with_stoves_as_they_are(steps)
+
+
+def _with_stoves_as_they_are(steps: Sequence[Done]) -> list[Done]:
+    """Return ``steps`` in which a stove that is told under no vessel is on when one of its burners is by then."""
+    stoves = {mention.thing for done in steps for mention in done.step.outputs if _is_burner(mention)}
+    on: set[int | None] = set()
+    told = []
+    for done in steps:
+        before = on
+        on = before - _over_heat(done.step.inputs) | _over_heat(list(filter(_is_lit, done.step.outputs)))
+        inputs, outputs = (
+            tuple(_as_it_is(one, is_on=bool(lit)) if one.thing in stoves else one for one in mentions)
+            for mentions, lit in ((done.step.inputs, before), (done.step.outputs, on))
+        )
+        told.append(done._replace(step=replace(done.step, inputs=inputs, outputs=outputs)))
+    return told
+
+
+def _as_it_is(stove: Mention, *, is_on: bool) -> Mention:
+    """Return a ``stove`` that is on or not; one that is under a vessel, or was found on, is told so already."""
+    switched = {("on",): ("off",), ("off",): ("on",)}
+    if _is_burner(stove) or stove.node.states not in switched or is_on == _is_on(stove):
+        return stove
+    return stove._replace(node=replace(stove.node, states=switched[stove.node.states]))
 
 
 def _is_boiling(done: Done) -> bool:
@@ -130,8 +155,14 @@ def _wait_for(steps: Sequence[Done], boils: int) -> _Wait | None:
 
 def _makes_room(wait: _Wait, steps: Sequence[Done]) -> list[Done]:
     """Return the steps that only made room for the pot, and need not when it stands before what is taken away."""
-    between = (one for one in steps[wait.begins : wait.boils] if wait.pot not in _things(one))
+    between = (one for one in steps[wait.begins : wait.boils] if _takes_off_an_empty_one(one))
     return [one for one in between if not _meet([one], steps[wait.boils + 1 :])]
+
+
+def _takes_off_an_empty_one(done: Done) -> bool:
+    """Whether a step takes a vessel with nothing in it off a burner."""
+    moved = _over_heat(done.step.inputs) - _over_heat(done.step.outputs)
+    return bool(moved) and not any(mention.node.ingredients for mention in done.step.inputs)
 
 
 def _begin_of_water(steps: Sequence[Done], boils: int, pot: int | None) -> int:
@@ -180,8 +211,16 @@ def _is_burner(mention: Mention) -> bool:
 
 def _uses_heat(done: Done) -> bool:
     """Whether a step turns a burner on, or is done over one that is on."""
-    burners = filter(_is_burner, done.step.inputs + done.step.outputs)
-    return any("off" not in mention.node.states for mention in burners)
+    return any(map(_is_lit, done.step.inputs + done.step.outputs))
+
+
+def _is_lit(mention: Mention) -> bool:
+    """Whether it is a stove that is on under a vessel."""
+    return _is_burner(mention) and _is_on(mention)
+
+
+def _is_on(stove: Mention) -> bool:
+    return "off" not in stove.node.states
 
 
 def _things(done: Done) -> set[int | None]:
