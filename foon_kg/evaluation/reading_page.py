@@ -13,7 +13,7 @@ from foon_kg.evaluation.reading import read_text
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.claims import Substitution
 from foon_kg.model.errors import ReadError
-from foon_kg.model.tree import TaskTree, TreeUnit
+from foon_kg.model.tree import Step, TaskTree
 
 
 def words_in(path: Path) -> str:
@@ -60,8 +60,8 @@ def _asked(wanted: RequiredIngredient) -> str:
     return str(ObjectNode(wanted.object, (wanted.state,) if wanted.state else ()))
 
 
-def _step(unit: TreeUnit) -> str:
-    taken, given = (" + ".join(str(one.node) for one in side) for side in (unit.step.inputs, unit.step.outputs))
+def _step(unit: Step) -> str:
+    taken, given = (" + ".join(str(one.node) for one in side) for side in (unit.inputs, unit.outputs))
     return f"{taken} → {unit.motion.upper()} → {given}"
 
 

@@ -25,13 +25,13 @@ from foon_kg.model.errors import UsageError
 if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
     from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.foon.plan import Plan as Plan
-    from foon_kg.foon.plan import Step as Step
     from foon_kg.language.reviewing import Decision as Decision
     from foon_kg.language.reviewing import Kind as Kind
     from foon_kg.language.reviewing import Reason as Reason
     from foon_kg.language.reviewing import Review as Review
     from foon_kg.model import KnownUnit
     from foon_kg.model.knowledge import Neighbour
+    from foon_kg.model.tree import Step as Step
     from foon_kg.planning.batch import Answer as Answer
     from foon_kg.planning.batch import Question as Question
     from foon_kg.planning.candidates import Candidates
@@ -81,7 +81,7 @@ _HOMES = {
     "RetrievalResult": "foon_kg.search.classic",
     "Review": "foon_kg.language.reviewing",
     "Snapshot": "foon_kg.store.snapshot",
-    "Step": "foon_kg.foon.plan",
+    "Step": "foon_kg.model.tree",
     "Substitute": "foon_kg.planning.settings",
     "Taken": "foon_kg.planning.suggestion",
     "WithDrafts": "foon_kg.store.with_drafts",

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
 
 from foon_kg.formats.exports.formats import export_tree
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
-from foon_kg.model import UNMEASURED, Measures, ObjectNode, Sighting
+from foon_kg.model import ObjectNode
 from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.errors import UsageError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.tree import Phase, TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.planning.batch import Answer, Question
 from foon_kg.planning.explanation import Explanations
 from foon_kg.planning.settings import PlanSettings
@@ -38,45 +38,6 @@ class AskedAgain(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class Step:
-    """One step of a plan: ``text`` is a sentence for a cook, ``motion`` the FOON's own word for what is done.
-
-    ``inputs`` and ``outputs`` are the objects before and after it. ``seen_in`` are the places in videos that attest it,
-    ``origin`` is ``foon`` where they show this food, ``adapted`` where they show a like one, one of its kind or the
-    motion alone; ``grounding`` (:data:`~foon_kg.model.tree.Grounding`) says which. ``phase`` is when it is done
-    (:data:`~foon_kg.model.tree.Phase`), ``measures`` how much, how long (seconds) and how hot (Celsius), where anybody
-    says. These are the fields of a unit of the JSON (docs/reference/result.md).
-
-    >>> [(one.motion, one.seen_in[0].video, one.origin) for one in plan.steps[:1]]
-    [('dice', 'farmhouse_omelette', 'adapted')]
-    >>> plan.steps[0].phase, plan.steps[0].grounding
-    ('prepare', 'motion')
-    """
-
-    number: int
-    text: str
-    motion: str
-    inputs: tuple[ObjectNode, ...]
-    outputs: tuple[ObjectNode, ...]
-    origin: str
-    seen_in: tuple[Sighting, ...]
-    phase: Phase | None = None
-    grounding: str | None = None
-    measures: Measures = UNMEASURED
-
-    @classmethod
-    def of(cls, number: int, text: str, unit: TreeUnit) -> Step:
-        """Return the step of a ``unit`` of a task tree: its ``number`` from 1, and what a cook reads (``text``)."""
-        return cls(
-            number, text, unit.motion, unit.input_nodes, unit.output_nodes, unit.origin or "", unit.sightings,
-            unit.phase, unit.grounding, unit.measures,
-        )  # fmt: skip
-
-    def __str__(self) -> str:
-        return f"{self.number}. {self.text}"
-
-
 class Plan:
     """A task tree that makes a dish, in the order in which it is carried out. A notebook shows it as a table."""
 
@@ -90,18 +51,18 @@ class Plan:
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
-        """The steps, numbered from 1.
+        """The steps of :attr:`result`, with their numbers from 1 and a sentence for a cook (``text``) each.
 
         >>> print(plan.steps[1])
         2. Peel the onion with the knife.
-        >>> plan.steps[1].motion
-        'peel'
+        >>> plan.steps[1].motion, plan.steps[1].phase, plan.steps[1].seen_in[0].video
+        ('peel', 'prepare', 'bean_salad')
         """
-        return tuple(self._step(number, unit) for number, unit in enumerate(self.result.units, start=1))
-
-    def _step(self, number: int, unit: TreeUnit) -> Step:
-        text = sentence(unit, self._settings.kitchen, unit.measures)
-        return Step.of(number, text, unit)
+        kitchen = self._settings.kitchen
+        return tuple(
+            replace(unit, number=number, text=sentence(unit, kitchen, unit.measures))
+            for number, unit in enumerate(self.result.units, start=1)
+        )
 
     @property
     def goal(self) -> ObjectNode:
@@ -195,10 +156,10 @@ class Plan:
         for step in self.steps:
             motion = f"{step.number} {step.motion}"
             graph.add_node(motion, kind="motion", label=step.motion, step=step.number)
-            for node in (*step.inputs, *step.outputs):
+            for node in (*step.input_nodes, *step.output_nodes):
                 graph.add_node(str(node), kind="object", label=node.label)
-            graph.add_edges_from((str(node), motion) for node in step.inputs)
-            graph.add_edges_from((motion, str(node)) for node in step.outputs)
+            graph.add_edges_from((str(node), motion) for node in step.input_nodes)
+            graph.add_edges_from((motion, str(node)) for node in step.output_nodes)
         return graph
 
     def to_svg(self) -> str:

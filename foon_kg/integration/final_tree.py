@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import cast
 
 from foon_kg.food import Tables, singular
@@ -15,7 +15,7 @@ from foon_kg.integration.preparing.preparation import Want
 from foon_kg.integration.teaching.operators import Nearness
 from foon_kg.model import ObjectNode
 from foon_kg.model.claims import Alternative, Assumption, Substitution
-from foon_kg.model.tree import Phase, TreeUnit, leaves_of
+from foon_kg.model.tree import Phase, Step, leaves_of
 from foon_kg.world import Mention
 
 MOST_ALTERNATIVES = 3
@@ -31,7 +31,7 @@ class FinalTree:
     """A tree with all that a plan result says of it."""
 
     goal: ObjectNode
-    units: tuple[TreeUnit, ...]
+    units: tuple[Step, ...]
     kitchen: tuple[ObjectNode, ...]
     substitutions: tuple[Substitution, ...]
     assumptions: tuple[Assumption, ...]
@@ -57,13 +57,13 @@ def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want
     )
 
 
-def _unit(done: Done) -> TreeUnit:
-    return TreeUnit(
+def _unit(done: Done) -> Step:
+    return replace(
         done.step,
-        "foon" if done.attested.nearness is Nearness.FOOD else "adapted",
-        done.attested.seen_in,
-        done.attested.nearness.word,
-        cast("Phase", done.phase),
+        origin="foon" if done.attested.nearness is Nearness.FOOD else "adapted",
+        seen_in=done.attested.seen_in,
+        grounding=done.attested.nearness.word,
+        phase=cast("Phase", done.phase),
     )
 
 

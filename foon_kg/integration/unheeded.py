@@ -13,7 +13,7 @@ from foon_kg.integration.final_tree import FinalTree
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import Recipe
 from foon_kg.model.claims import Assumption
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 
 
 @dataclass(frozen=True)
@@ -96,13 +96,13 @@ def _is_for(one: Named, names: Iterable[str], known: Tables) -> bool:
     return any(known.utensil(name) is None and one.is_of(name, known.foods.food(name)) for name in names)
 
 
-def _is_done_in(one: Named, units: Sequence[TreeUnit], known: Tables) -> bool:
+def _is_done_in(one: Named, units: Sequence[Step], known: Tables) -> bool:
     """Whether steps of a tree do it to what it is for, as often as that is asked, before or after it is heated."""
     hot, found = [], []
     for number, unit in enumerate(units):
         names = {name for node in unit.input_nodes for name in (node.label, *node.ingredients)}
         if _is_for(one, names, known):
-            row = known.motion(unit.step.motion)
+            row = known.motion(unit.motion)
             hot += [number] if "heat" in row.does else []
-            found += [number] if one.is_done_by(unit.step.motion, row) else []
+            found += [number] if one.is_done_by(unit.motion, row) else []
     return len(one.in_time(found, hot)) >= one.times

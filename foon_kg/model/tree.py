@@ -7,7 +7,7 @@ Planner, judge, exports, pictures and readings share these types. What a step ne
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal, NamedTuple, Protocol
 
@@ -36,6 +36,9 @@ class Mention(NamedTuple):
     thing: int | None = None
     container_thing: int | None = None
 
+    def __str__(self) -> str:
+        return str(self.node)
+
     @property
     def identity(self) -> ObjectNode | int:
         """What tells this thing from others: its number, where it has one; two bowls may have equal nodes.
@@ -48,34 +51,25 @@ class Mention(NamedTuple):
 
 @dataclass(frozen=True)
 class Step:
-    """Inputs → motion → outputs."""
+    """A step of a task tree, ``inputs`` → ``motion`` → ``outputs``, and what speaks for it.
+
+    ``origin`` (see :data:`Origin`), ``seen_in``, ``grounding`` (:data:`Grounding`) and ``phase`` (:data:`Phase`) are
+    ``None`` where the source of the tree cannot say them; the judge reads trees that say anything. ``measures`` are
+    how much, how long (seconds) and how hot (Celsius), where anybody says. These are the fields of a unit of the JSON
+    (docs/reference/result.md).
+
+    ``accepts_any`` (the star of a motion) and ``moving`` (the nodes that move) are for the FOON text of the tree, and
+    ``number`` (from 1) and ``text`` (a sentence for a cook) for a plan that is told step by step. JSON has no field
+    for these four, and they take no part in equality.
+
+    >>> step = Step.of([ObjectNode("onion")], "peel", [ObjectNode("onion", ("peeled",))], "foon")
+    >>> step.motion, step.outputs[0].node.states, step.origin, step.phase
+    ('peel', ('peeled',), 'foon', None)
+    """
 
     inputs: tuple[Mention, ...]
     motion: str
     outputs: tuple[Mention, ...]
-
-    @classmethod
-    def of(cls, inputs: Iterable[ObjectNode], motion: str, outputs: Iterable[ObjectNode]) -> Step:
-        """Return the step of a functional unit: ``inputs`` → ``motion`` → ``outputs``, none of which has a number.
-
-        >>> Step.of([ObjectNode("onion", ("whole",))], "chop", [ObjectNode("onion", ("chopped",))]).outputs[0].identity
-        ObjectNode(label='onion', states=('chopped',), ingredients=(), relation=None, container=None)
-        """
-        return cls(tuple(map(Mention, inputs)), motion, tuple(map(Mention, outputs)))
-
-
-@dataclass(frozen=True)
-class TreeUnit:
-    """One step of a task tree, and what speaks for it.
-
-    ``origin`` (see :data:`Origin`), ``seen_in``, ``grounding`` (:data:`Grounding`) and ``phase`` (:data:`Phase`) are
-    ``None`` where the source of the tree cannot say them; the judge reads trees that say anything. ``measures`` are
-    what the recorded dish says of such a step: how much, how long and how hot. ``accepts_any`` (the star of a motion)
-    and ``moving`` (the nodes that move) are for the FOON text of the tree; JSON has no field for them, and they take no
-    part in equality.
-    """
-
-    step: Step
     origin: str | None = None
     seen_in: tuple[Sighting, ...] | None = None
     grounding: str | None = None
@@ -83,55 +77,59 @@ class TreeUnit:
     measures: Measures = UNMEASURED
     accepts_any: bool = field(default=False, compare=False)
     moving: frozenset[ObjectNode] = field(default=frozenset(), compare=False)
+    number: int | None = field(default=None, compare=False)
+    text: str = field(default="", compare=False)
 
     @classmethod
     def of(
+        cls,
+        inputs: Iterable[ObjectNode],
+        motion: str,
+        outputs: Iterable[ObjectNode],
+        origin: Origin | None = None,
+        seen_in: tuple[Sighting, ...] | None = None,
+    ) -> Step:
+        """Return the step ``inputs`` → ``motion`` → ``outputs`` of nodes, none of which has a number.
+
+        ``origin`` and ``seen_in`` say what speaks for it, where anybody can say.
+
+        >>> Step.of([ObjectNode("onion", ("whole",))], "chop", [ObjectNode("onion", ("chopped",))]).outputs[0].identity
+        ObjectNode(label='onion', states=('chopped',), ingredients=(), relation=None, container=None)
+        """
+        return cls(tuple(map(Mention, inputs)), motion, tuple(map(Mention, outputs)), origin, seen_in)
+
+    @classmethod
+    def of_unit(
         cls, unit: FunctionalUnit, origin: Origin | None = None, seen_in: tuple[Sighting, ...] | None = None
-    ) -> TreeUnit:
+    ) -> Step:
         """Return ``unit`` as it stands as a step; repeated nodes count once, and things have no numbers.
 
         ``origin`` and ``seen_in`` say what speaks for it, where anybody can say.
 
         >>> egg = Participant(ObjectNode("egg"))
-        >>> len(TreeUnit.of(FunctionalUnit((egg, egg), "beat", ()), "foon").taken)
+        >>> len(Step.of_unit(FunctionalUnit((egg, egg), "beat", ()), "foon").inputs)
         1
         """
         moving = frozenset(p.node for p in (*unit.inputs, *unit.outputs) if p.moving)
-        step = Step.of(unit.input_nodes, unit.motion, unit.output_nodes)
-        return cls(step, origin, seen_in, accepts_any=unit.accepts_any, moving=moving)
+        step = cls.of(unit.input_nodes, unit.motion, unit.output_nodes, origin, seen_in)
+        return replace(step, accepts_any=unit.accepts_any, moving=moving)
 
-    @property
-    def motion(self) -> str:
-        """What is done.
+    def __str__(self) -> str:
+        """Return its sentence with its number; of a step that nobody told so, what is done to what.
 
-        >>> TreeUnit(Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))])).motion
-        'chop'
+        >>> print(Step.of([ObjectNode("onion"), ObjectNode("knife")], "chop", [ObjectNode("onion", ("chopped",))]))
+        onion + knife → chop → onion (chopped)
         """
-        return self.step.motion
-
-    @property
-    def taken(self) -> tuple[Mention, ...]:
-        """The inputs with their numbers.
-
-        >>> TreeUnit(Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))])).taken[0].node.label
-        'onion'
-        """
-        return self.step.inputs
-
-    @property
-    def made(self) -> tuple[Mention, ...]:
-        """The outputs with their numbers.
-
-        >>> TreeUnit(Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))])).made[0].node.states
-        ('chopped',)
-        """
-        return self.step.outputs
+        if self.text:
+            return f"{self.number}. {self.text}"
+        taken, made = (" + ".join(map(str, side)) for side in (self.input_nodes, self.output_nodes))
+        return f"{taken} → {self.motion} → {made}"
 
     @property
     def sightings(self) -> tuple[Sighting, ...]:
         """Where it was seen; nothing where the source of the tree cannot say.
 
-        >>> TreeUnit(Step.of([], "chop", [])).sightings
+        >>> Step.of([], "chop", []).sightings
         ()
         """
         return self.seen_in or ()
@@ -140,38 +138,38 @@ class TreeUnit:
     def input_nodes(self) -> tuple[ObjectNode, ...]:
         """The nodes that go in.
 
-        >>> chop = TreeUnit(Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))]))
+        >>> chop = Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))])
         >>> [str(node) for node in chop.input_nodes]
         ['onion']
         """
-        return tuple(mention.node for mention in self.step.inputs)
+        return tuple(mention.node for mention in self.inputs)
 
     @cached_property
     def output_nodes(self) -> tuple[ObjectNode, ...]:
         """The nodes that come out.
 
-        >>> chop = TreeUnit(Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))]))
+        >>> chop = Step.of([ObjectNode("onion")], "chop", [ObjectNode("onion", ("chopped",))])
         >>> [str(node) for node in chop.output_nodes]
         ['onion (chopped)']
         """
-        return tuple(mention.node for mention in self.step.outputs)
+        return tuple(mention.node for mention in self.outputs)
 
     @cached_property
     def identity(self) -> tuple[object, ...]:
         """What is done to which things: equal for two units that are the same.
 
         >>> one, other = (Step((Mention(ObjectNode("bowl"), thing),), "wash", ()) for thing in (1, 2))
-        >>> TreeUnit(one).identity == TreeUnit(other).identity
+        >>> one.identity == other.identity
         False
         """
-        return (frozenset(self.step.inputs), self.motion, frozenset(self.step.outputs))
+        return (frozenset(self.inputs), self.motion, frozenset(self.outputs))
 
     @cached_property
     def nodes_key(self) -> tuple[object, ...]:
         """What is done to what, whichever things they are: as the FOON knows a unit.
 
         >>> one, other = (Step((Mention(ObjectNode("bowl"), thing),), "wash", ()) for thing in (1, 2))
-        >>> TreeUnit(one).nodes_key == TreeUnit(other).nodes_key
+        >>> one.nodes_key == other.nodes_key
         True
         """
         return (frozenset(self.input_nodes), self.motion, frozenset(self.output_nodes))
@@ -181,16 +179,16 @@ class TreeUnit:
         """The outputs that are no inputs: what the step makes. A thing with a number is another than its like.
 
         >>> knife, onion = ObjectNode("knife"), ObjectNode("onion")
-        >>> TreeUnit(Step.of([onion, knife], "chop", [ObjectNode("onion", ("chopped",)), knife])).new_outputs[0].states
+        >>> Step.of([onion, knife], "chop", [ObjectNode("onion", ("chopped",)), knife]).new_outputs[0].states
         ('chopped',)
         """
-        inputs = set(self.step.inputs)
-        return tuple(mention.node for mention in self.step.outputs if mention not in inputs)
+        inputs = set(self.inputs)
+        return tuple(mention.node for mention in self.outputs if mention not in inputs)
 
     def as_unit(self, goal: ObjectNode | None = None, dish_type: str | None = None) -> FunctionalUnit:
         """Return the functional unit; an output that equals ``goal`` is marked as the end product of ``dish_type``.
 
-        >>> step = TreeUnit(Step.of([ObjectNode("lettuce")], "mix", [ObjectNode("salad")]))
+        >>> step = Step.of([ObjectNode("lettuce")], "mix", [ObjectNode("salad")])
         >>> step.as_unit(ObjectNode("salad"), "salad").outputs[0].dish_type
         'salad'
         """
@@ -220,7 +218,7 @@ def leaves_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
     could be on without anybody having turned it on.
 
     >>> whole, cut, fried = (ObjectNode("onion", (state,)) for state in ("whole", "chopped", "fried"))
-    >>> units = [TreeUnit(Step.of([whole], "chop", [cut])), TreeUnit(Step.of([cut], "fry", [fried]))]
+    >>> units = [Step.of([whole], "chop", [cut]), Step.of([cut], "fry", [fried])]
     >>> [str(node) for node in leaves_of(units)]
     ['onion (whole)']
     """
@@ -232,23 +230,23 @@ def leaves_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
     return tuple(leaves)
 
 
-def things_found(units: Iterable[TreeUnit]) -> dict[ObjectNode, tuple[int, ...]]:
+def things_found(units: Iterable[Step]) -> dict[ObjectNode, tuple[int, ...]]:
     """Return the numbers of the things that each node is before the first step; of trees without numbers nothing.
 
     ``units`` are in the order of execution. Two bowls that are both found empty are two numbers of one node.
 
     >>> bowl = ObjectNode("bowl", ("empty",))
-    >>> things_found([TreeUnit(Step((Mention(bowl, 1), Mention(bowl, 2)), "stack", ()))]) == {bowl: (1, 2)}
+    >>> things_found([Step((Mention(bowl, 1), Mention(bowl, 2)), "stack", ())]) == {bowl: (1, 2)}
     True
     """
     found: dict[ObjectNode, tuple[int, ...]] = {}
     seen: set[int] = set()
     for unit in units:
-        for node, thing, _ in unit.taken:
+        for node, thing, _ in unit.inputs:
             if thing is not None and thing not in seen:
                 seen.add(thing)
                 found[node] = (*found.get(node, ()), thing)
-        seen.update(one.thing for one in unit.made if one.thing is not None)
+        seen.update(one.thing for one in unit.outputs if one.thing is not None)
     return found
 
 
@@ -256,7 +254,7 @@ def newly_made(unit: TakesAndMakes) -> list[ObjectNode]:
     """Return the nodes that ``unit`` puts out and did not take: what was only held or passed on is none of them.
 
     >>> knife, onion, cut = ObjectNode("knife"), ObjectNode("onion"), ObjectNode("onion", ("chopped",))
-    >>> chop = TreeUnit(Step.of([onion, knife], "chop", [cut, knife]))
+    >>> chop = Step.of([onion, knife], "chop", [cut, knife])
     >>> [str(node) for node in newly_made(chop)]
     ['onion (chopped)']
     """
@@ -268,7 +266,7 @@ def used_up(unit: TakesAndMakes) -> list[ObjectNode]:
     """Return the nodes that ``unit`` takes and does not leave as they were: moved, changed, or gone into another.
 
     >>> knife, onion, cut = ObjectNode("knife"), ObjectNode("onion"), ObjectNode("onion", ("chopped",))
-    >>> chop = TreeUnit(Step.of([onion, knife], "chop", [cut, knife]))
+    >>> chop = Step.of([onion, knife], "chop", [cut, knife])
     >>> [str(node) for node in used_up(chop)]
     ['onion']
     """
@@ -280,7 +278,7 @@ def nodes_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
     """Return every object node of ``units`` once, in the order of appearance.
 
     >>> whole, cut, fried = (ObjectNode("onion", (state,)) for state in ("whole", "chopped", "fried"))
-    >>> units = [TreeUnit(Step.of([whole], "chop", [cut])), TreeUnit(Step.of([cut], "fry", [fried]))]
+    >>> units = [Step.of([whole], "chop", [cut]), Step.of([cut], "fry", [fried])]
     >>> [str(node) for node in nodes_of(units)]
     ['onion (whole)', 'onion (chopped)', 'onion (fried)']
     """
@@ -298,7 +296,7 @@ class TaskTree:
     """
 
     name: str
-    units: tuple[TreeUnit, ...]
+    units: tuple[Step, ...]
     goal: ObjectNode | None = None
     recipe: Recipe | None = None
     kitchen: tuple[ObjectNode, ...] | None = None
@@ -312,7 +310,7 @@ class TaskTree:
         """The places of the units that output each node without having taken it.
 
         >>> whole, cut, fried = (ObjectNode("onion", (state,)) for state in ("whole", "chopped", "fried"))
-        >>> units = [TreeUnit(Step.of([whole], "chop", [cut])), TreeUnit(Step.of([cut], "fry", [fried]))]
+        >>> units = [Step.of([whole], "chop", [cut]), Step.of([cut], "fry", [fried])]
         >>> TaskTree("fried onion", tuple(units)).made[fried]
         (1,)
         """
@@ -323,7 +321,7 @@ class TaskTree:
         """The places of the units that take each node.
 
         >>> whole, cut, fried = (ObjectNode("onion", (state,)) for state in ("whole", "chopped", "fried"))
-        >>> units = [TreeUnit(Step.of([whole], "chop", [cut])), TreeUnit(Step.of([cut], "fry", [fried]))]
+        >>> units = [Step.of([whole], "chop", [cut]), Step.of([cut], "fry", [fried])]
         >>> TaskTree("fried onion", tuple(units)).takers[whole]
         (0,)
         """

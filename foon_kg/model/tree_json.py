@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import cast, get_args
 
 from foon_kg.model.json_fields import Fields, JsonObject
@@ -14,15 +15,15 @@ from foon_kg.model.node_json import (
     sighting_from_json,
     sighting_to_json,
 )
-from foon_kg.model.tree import Grounding, Mention, Origin, Phase, Step, TreeUnit
+from foon_kg.model.tree import Grounding, Mention, Origin, Phase, Step
 
 
-def unit_to_json(unit: TreeUnit) -> JsonObject:
+def unit_to_json(unit: Step) -> JsonObject:
     """Return one of the ``units`` of a plan result."""
     told: JsonObject = {
-        "input_nodes": _side_to_json(unit.step.inputs),
+        "input_nodes": _side_to_json(unit.inputs),
         "motion_node": unit.motion,
-        "output_nodes": _side_to_json(unit.step.outputs),
+        "output_nodes": _side_to_json(unit.outputs),
     }
     if unit.phase is not None:
         told["phase"] = unit.phase
@@ -35,24 +36,24 @@ def unit_to_json(unit: TreeUnit) -> JsonObject:
     return told
 
 
-def unit_from_json(fields: Fields) -> TreeUnit:
+def unit_from_json(fields: Fields) -> Step:
     """Return the unit of the ``fields`` that :func:`unit_to_json` wrote. Raises ReadError for a word that no plan has.
 
     The judge reads units more freely (:mod:`foon_kg.validation.tree`): what a stranger's plan says is for its rules.
     """
     phase = fields.one_of("phase", get_args(Phase)) if "phase" in fields else None
-    return TreeUnit(
+    return replace(
         step_from_json(fields),
-        fields.one_of("origin", get_args(Origin)),
-        tuple(map(sighting_from_json, fields.nested_list("seen_in"))),
-        fields.one_of("grounding", get_args(Grounding)) if "grounding" in fields else None,
-        cast("Phase | None", phase),
-        measures_from_json(fields),
+        origin=fields.one_of("origin", get_args(Origin)),
+        seen_in=tuple(map(sighting_from_json, fields.nested_list("seen_in"))),
+        grounding=fields.one_of("grounding", get_args(Grounding)) if "grounding" in fields else None,
+        phase=cast("Phase | None", phase),
+        measures=measures_from_json(fields),
     )
 
 
 def step_from_json(fields: Fields) -> Step:
-    """Return what a unit does to what, from its ``fields``."""
+    """Return what a unit does to what, from its ``fields``; the step says nothing of what speaks for it."""
     inputs, outputs = (tuple(map(_mention, fields.nested_list(f"{side}_nodes"))) for side in ("input", "output"))
     return Step(inputs, fields.text("motion_node"), outputs)
 

@@ -10,7 +10,7 @@ from foon_kg.food import singular
 from foon_kg.integration.joining.spots import Join
 from foon_kg.integration.preparing.preparation import Want
 from foon_kg.model import RequiredIngredient
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.planning.attempt import Attempt
 from foon_kg.planning.likes import RecipeLikes
 
@@ -151,7 +151,7 @@ def explanations(attempt: Attempt, likes: RecipeLikes) -> tuple[Explanation, ...
 
 
 def _explained(
-    attempt: Attempt, join: Join, likes: RecipeLikes, steps: Mapping[int, Sequence[tuple[int, TreeUnit]]]
+    attempt: Attempt, join: Join, likes: RecipeLikes, steps: Mapping[int, Sequence[tuple[int, Step]]]
 ) -> Explanation:
     """Return why the food that comes in by ``join`` is made as the tree of ``attempt`` makes it.
 
@@ -192,7 +192,7 @@ def _passed_over(others: Sequence[tuple[str, float]], sure: float, *, chosen: bo
         yield PassedOver(name, "", round(confidence, 4), why)
 
 
-def _how(assumptions: Sequence[object], join: Join, own: Sequence[TreeUnit]) -> How:
+def _how(assumptions: Sequence[object], join: Join, own: Sequence[Step]) -> How:
     """Return how a food comes to what it is: assumed, as a video plays it, made in steps of its own, or as sold."""
     if assumptions:
         return "assumed"
@@ -217,16 +217,16 @@ def _handled_like(attempt: Attempt, label: str) -> tuple[str, float]:
     return "", 1.0
 
 
-def _steps_of_things(units: Iterable[TreeUnit]) -> dict[int, list[tuple[int, TreeUnit]]]:
+def _steps_of_things(units: Iterable[Step]) -> dict[int, list[tuple[int, Step]]]:
     """Return by the number of each thing the steps that take or make it, each with its place from 1."""
-    found: dict[int, list[tuple[int, TreeUnit]]] = {}
+    found: dict[int, list[tuple[int, Step]]] = {}
     for place, unit in enumerate(units, 1):
-        for thing in {one.thing for one in (*unit.taken, *unit.made) if one.thing is not None}:
+        for thing in {one.thing for one in (*unit.inputs, *unit.outputs) if one.thing is not None}:
             found.setdefault(thing, []).append((place, unit))
     return found
 
 
-def _joining(own: Sequence[tuple[int, TreeUnit]], number: int, join: Join) -> Joining:
+def _joining(own: Sequence[tuple[int, Step]], number: int, join: Join) -> Joining:
     """Return where the thing of this ``number``, which comes in by ``join``, joins others among its ``own`` steps."""
     step, motion = _first_shared(own, number)
     if join.slot is None:
@@ -234,14 +234,14 @@ def _joining(own: Sequence[tuple[int, TreeUnit]], number: int, join: Join) -> Jo
     return Joining(step, motion, join.slot.food, round(join.fit, 4))
 
 
-def _first_shared(own: Sequence[tuple[int, TreeUnit]], number: int) -> tuple[int | None, str]:
+def _first_shared(own: Sequence[tuple[int, Step]], number: int) -> tuple[int | None, str]:
     """Return the first step after which a food shares its vessel with others."""
     for place, unit in own:
-        inside = {one.container_thing for one in unit.made if one.thing == number} - {None}
-        if any(one.thing in inside and len(one.node.ingredients) > 1 for one in unit.made):
+        inside = {one.container_thing for one in unit.outputs if one.thing == number} - {None}
+        if any(one.thing in inside and len(one.node.ingredients) > 1 for one in unit.outputs):
             return place, unit.motion
     return (own[-1][0], own[-1][1].motion) if own else (None, "")
 
 
-def _videos(units: Iterator[TreeUnit]) -> Iterator[str]:
+def _videos(units: Iterator[Step]) -> Iterator[str]:
     yield from dict.fromkeys(unit.seen_in[0].video for unit in units if unit.seen_in)

@@ -21,7 +21,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 
 if TYPE_CHECKING:
-    from foon_kg.model.tree import TreeUnit
+    from foon_kg.model.tree import Step
 
 _PLACE_KEPT_AS_STATE = re.compile(r"\[[^\]]*\]$")
 _INSIDE = frozenset({None, "in", "from"})
@@ -176,7 +176,7 @@ class Kitchen:
         """
         return ()
 
-    def missing_leaves(self, leaves: Iterable[ObjectNode], units: Iterable[TreeUnit]) -> list[ObjectNode]:
+    def missing_leaves(self, leaves: Iterable[ObjectNode], units: Iterable[Step]) -> list[ObjectNode]:
         """Return the ``leaves`` of the tree of ``units`` that are not at hand, or not as often as it needs them.
 
         >>> Kitchen.default().missing_leaves([ObjectNode("truffle"), ObjectNode("wok")], [])
@@ -185,7 +185,7 @@ class Kitchen:
         few = {one.leaf for one in self.shortages(units)}
         return [leaf for leaf in leaves if leaf in few or self.lacks(leaf)]
 
-    def shortages(self, _: Iterable[TreeUnit]) -> tuple[Shortage, ...]:
+    def shortages(self, _: Iterable[Step]) -> tuple[Shortage, ...]:
         """Return of what a tree needs more than there are, as a person numbered them, in the order of its leaves."""
         return ()
 

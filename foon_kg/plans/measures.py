@@ -22,7 +22,7 @@ from foon_kg.model import (
     Recipe,
     RequiredIngredient,
 )
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 
 _MINUTE, _HOUR = 60, 3600
 _LONG = 2 * _HOUR
@@ -61,7 +61,7 @@ def _long(seconds: float) -> str:
     return f"{seconds / _HOUR:g} h" if seconds >= _LONG else f"{seconds / _MINUTE:g} min"
 
 
-def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], video: str) -> tuple[TreeUnit, ...]:
+def with_measures(units: Sequence[Step], recorded: Iterable[KnownUnit], video: str) -> tuple[Step, ...]:
     """Return ``units`` with what ``recorded`` ones say in ``video``.
 
     A step is done as long and as hot as the first recorded step of its motion, not told yet, that takes one of its
@@ -81,7 +81,7 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
     return tuple(told)
 
 
-def _measured(unit: TreeUnit, recorded: Measures, amounts: tuple[str, ...]) -> TreeUnit:
+def _measured(unit: Step, recorded: Measures, amounts: tuple[str, ...]) -> Step:
     """Return a step with what is recorded of it beside what somebody asked."""
     if not (recorded or amounts):
         return unit
@@ -95,7 +95,7 @@ def _measured_in(video: str, recorded: Iterable[KnownUnit]) -> list[tuple[Functi
     return [(unit, measures) for _, unit, measures in said]
 
 
-def _foods_asked(units: Iterable[TreeUnit]) -> set[str]:
+def _foods_asked(units: Iterable[Step]) -> set[str]:
     """Return the foods (in the singular) of which somebody asked for an amount."""
     return {singular(one.food) for unit in units for one in unit.measures.asked}
 
@@ -113,7 +113,7 @@ def _amounts_by_food(measures: Iterable[Measures], apart_from: Collection[str]) 
     return dict(amounts)
 
 
-def _first_of(unit: TreeUnit, timed: list[tuple[FunctionalUnit, Measures]]) -> Measures:
+def _first_of(unit: Step, timed: list[tuple[FunctionalUnit, Measures]]) -> Measures:
     """Take out of ``timed`` what is said of such a step as ``unit``."""
     labels = {singular(node.label) for node in unit.input_nodes}
     for place, (recorded, measures) in enumerate(timed):
@@ -132,7 +132,7 @@ def amounts_asked(recipe: Recipe) -> list[str]:
     return [" and ".join(filter(None, said)) for said in amounts.values()]
 
 
-def with_asked(units: Sequence[TreeUnit], foods: Iterable[tuple[RequiredIngredient, int]]) -> tuple[TreeUnit, ...]:
+def with_asked(units: Sequence[Step], foods: Iterable[tuple[RequiredIngredient, int]]) -> tuple[Step, ...]:
     """Return ``units``, whose things have numbers, with the amounts of ``foods``; each food comes with its number.
 
     An amount is said of the step that first takes the food. Where the tree takes the food several times (oil for the
@@ -164,13 +164,13 @@ def _others_by_food(first: Mapping[int, tuple[str, int]], asked: Collection[int]
     return dict(others)
 
 
-def _first_takings(units: Sequence[TreeUnit]) -> dict[int, tuple[str, int]]:
+def _first_takings(units: Sequence[Step]) -> dict[int, tuple[str, int]]:
     """Return the name of each thing that is in the kitchen, and the place of the first step that takes it."""
     first: dict[int, tuple[str, int]] = {}
     made: set[int | None] = {None}
     for place, unit in enumerate(units):
-        for mention in unit.taken:
+        for mention in unit.inputs:
             if mention.thing is not None and mention.thing not in made:
                 first.setdefault(mention.thing, (singular(mention.node.label), place))
-        made.update(mention.thing for mention in unit.made)
+        made.update(mention.thing for mention in unit.outputs)
     return first

@@ -17,7 +17,7 @@ from typing import NamedTuple, Self
 from foon_kg.food import singular
 from foon_kg.model import FunctionalUnit, ObjectNode, RequiredIngredient
 from foon_kg.model.json_fields import Fields, JsonObject
-from foon_kg.model.tree import Mention, TreeUnit
+from foon_kg.model.tree import Mention, Step
 from foon_kg.plans.kitchen import Kitchen
 
 _KITCHEN = -1
@@ -83,15 +83,15 @@ def progress_lines(
 
 
 def lines_of_things(
-    units: Sequence[TreeUnit], goal: ObjectNode, foods: Iterable[tuple[RequiredIngredient, int]]
+    units: Sequence[Step], goal: ObjectNode, foods: Iterable[tuple[RequiredIngredient, int]]
 ) -> tuple[ProgressLine, ...]:
     """Return a line for each of ``foods`` through a tree that makes ``goal`` and numbers its things.
 
     ``units`` are in the order of execution; each food comes with its number. A thing that a unit takes and does not put
     out has become part of the food that names it among its ingredients.
     """
-    inputs = [_by_thing(unit.taken) for unit in units]
-    outputs = [_by_thing(unit.made) for unit in units]
+    inputs = [_by_thing(unit.inputs) for unit in units]
+    outputs = [_by_thing(unit.outputs) for unit in units]
     found = []
     for food, number in foods:
         name, steps, now = singular(food.object), [], number

@@ -14,7 +14,7 @@ from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import Fields, JsonObject
 from foon_kg.model.node_json import node_from_json, node_to_json, recipe_from_json, recipe_to_json
-from foon_kg.model.tree import TaskTree, TreeUnit, things_found
+from foon_kg.model.tree import Step, TaskTree, things_found
 from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.progress import ProgressLine
 from foon_kg.plans.shortage import ShortageError, remedy
@@ -94,7 +94,7 @@ class PlanResult:
     recipe: Recipe
     reference: ReferenceSummary
     goal: ObjectNode
-    units: tuple[TreeUnit, ...]
+    units: tuple[Step, ...]
     kitchen: tuple[ObjectNode, ...]
     substitutions: tuple[Substitution, ...] = ()
     assumptions: tuple[Assumption, ...] = ()

@@ -19,7 +19,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import UsageError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.tree import Mention, TreeUnit
+from foon_kg.model.tree import Mention, Step
 from foon_kg.plans.durations import Duration, Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.step_order import earlier_steps
@@ -87,7 +87,7 @@ class Schedule:
 
 
 def schedule(
-    units: Sequence[TreeUnit], leaves: Sequence[ObjectNode], durations: Durations, kitchen: Kitchen, hands: int = 1
+    units: Sequence[Step], leaves: Sequence[ObjectNode], durations: Durations, kitchen: Kitchen, hands: int = 1
 ) -> Schedule:
     """Return who does which of the ``units`` of a tree when, for so many pairs of ``hands``.
 
@@ -153,9 +153,9 @@ def _name(utensil: Mention) -> str:
     return f"{node.label} {thing}" + (f" {container}" if node.relation == "under" else "")
 
 
-def _used_by(unit: TreeUnit, kitchen: Kitchen) -> frozenset[str]:
+def _used_by(unit: Step, kitchen: Kitchen) -> frozenset[str]:
     """Return what a step has for itself while it lasts: its utensils, and hands unless it goes on by itself."""
-    utensils = frozenset(_name(one) for one in unit.taken if kitchen.is_utensil(one.node.label))
+    utensils = frozenset(_name(one) for one in unit.inputs if kitchen.is_utensil(one.node.label))
     return utensils if unit.motion in WITHOUT_HANDS else utensils | {_HANDS}
 
 
@@ -185,7 +185,7 @@ class _Work:
     @classmethod
     def of(
         cls,
-        units: Sequence[TreeUnit],
+        units: Sequence[Step],
         leaves: Sequence[ObjectNode],
         durations: Durations,
         kitchen: Kitchen,

@@ -9,7 +9,7 @@ from foon_kg.food import singular
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import NoTreeError
 from foon_kg.model.knowledge import FAIR
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.kitchen import Kitchen
 
 _TO_DO = ("get ", "buy or make ", "buy ")
@@ -37,7 +37,7 @@ class Made(Protocol):
         """The dish."""
 
     @property
-    def units(self) -> Sequence[TreeUnit]:
+    def units(self) -> Sequence[Step]:
         """The steps, in the order of execution."""
 
 

@@ -12,7 +12,7 @@ from typing import Literal
 
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.tree import TreeUnit, newly_made
+from foon_kg.model.tree import Step, newly_made
 
 Change = Literal["kept", "changed", "left out", "added"]
 
@@ -26,7 +26,7 @@ class StepChange:
 
     change: Change
     before: tuple[int, KnownUnit] | None
-    after: tuple[int, TreeUnit] | None
+    after: tuple[int, Step] | None
     gone: tuple[str, ...] = ()
     come: tuple[str, ...] = ()
 
@@ -39,7 +39,7 @@ class StepChange:
         }  # fmt: skip
 
 
-def step_changes(reference: Sequence[KnownUnit], final: Sequence[TreeUnit]) -> tuple[StepChange, ...]:
+def step_changes(reference: Sequence[KnownUnit], final: Sequence[Step]) -> tuple[StepChange, ...]:
     """Return every step of the ``reference`` and of the ``final`` tree, in the order of the final one.
 
     A step that was left out stands before the next one of the reference that is still there.
@@ -59,7 +59,7 @@ def step_changes(reference: Sequence[KnownUnit], final: Sequence[TreeUnit]) -> t
     return (*rows, *(StepChange("left out", (gone + 1, reference[gone]), None) for gone in left_out))
 
 
-def _pairs(reference: Sequence[KnownUnit], final: Sequence[TreeUnit]) -> dict[int, int]:
+def _pairs(reference: Sequence[KnownUnit], final: Sequence[Step]) -> dict[int, int]:
     """Return for the places of steps of the final tree the places of those of the reference that they go back to."""
     pairs: dict[int, int] = {}
     for alike in (_seen_alike, _done_alike):
@@ -71,19 +71,19 @@ def _pairs(reference: Sequence[KnownUnit], final: Sequence[TreeUnit]) -> dict[in
     return pairs
 
 
-def _seen_alike(known: KnownUnit, unit: TreeUnit) -> int:
+def _seen_alike(known: KnownUnit, unit: Step) -> int:
     """Return whether both were seen at one place of a video."""
     return int(not set(unit.sightings).isdisjoint(known.seen_in))
 
 
-def _done_alike(known: KnownUnit, unit: TreeUnit) -> int:
+def _done_alike(known: KnownUnit, unit: Step) -> int:
     """Return to how many of the same things both do the same."""
     taken, made = ({node.label for node in side} for side in (unit.input_nodes, unit.output_nodes))
     changed = [node.label for node in newly_made(known.unit)]
     return len(taken & made & set(changed)) if known.unit.motion == unit.motion else 0
 
 
-def _both(before: tuple[int, KnownUnit], after: tuple[int, TreeUnit]) -> StepChange:
+def _both(before: tuple[int, KnownUnit], after: tuple[int, Step]) -> StepChange:
     known, unit = before[1].unit, after[1]
     old = _names(known.input_nodes, known.motion, known.output_nodes)
     new = _names(unit.input_nodes, unit.motion, unit.output_nodes)

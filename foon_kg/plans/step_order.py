@@ -14,13 +14,13 @@ from dataclasses import dataclass, field
 
 from foon_kg.food import motions, tables
 from foon_kg.model import ObjectNode
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 
 _Thing = ObjectNode | int
 """What tells a thing from others: its number, or in a tree without numbers its node."""
 
 
-def earlier_steps(units: Sequence[TreeUnit]) -> tuple[frozenset[int], ...]:
+def earlier_steps(units: Sequence[Step]) -> tuple[frozenset[int], ...]:
     """Return for every unit (in the order of execution) the places of the units that have to be done before it.
 
     What lies in the kitchen may be taken by several steps: there is more than one onion. What a unit made is used up
@@ -46,11 +46,11 @@ class _Things:
     made_by: dict[_Thing, int] = field(default_factory=dict)
     taken_by: defaultdict[_Thing, list[int]] = field(default_factory=lambda: defaultdict(list))
 
-    def through(self, place: int, unit: TreeUnit) -> set[int]:
+    def through(self, place: int, unit: Step) -> set[int]:
         """Return the steps for whose things the one at ``place`` waits, and let these be as ``unit`` leaves them."""
-        taken = {one.identity for one in unit.taken}
-        made = {one.identity for one in set(unit.made) - set(unit.taken)}  # what stays as it is was only held
-        put_out = {one.identity for one in unit.made}
+        taken = {one.identity for one in unit.inputs}
+        made = {one.identity for one in set(unit.outputs) - set(unit.inputs)}  # what stays as it is was only held
+        put_out = {one.identity for one in unit.outputs}
         used_up = {thing for thing in taken if thing in self.made_by and thing not in put_out}
         waits = {self.made_by[thing] for thing in taken | made if thing in self.made_by}
         waits.update(*(self.taken_by[thing] for thing in made | used_up))  # who takes it before has to be through
@@ -67,16 +67,16 @@ class _Things:
             self.made_by[thing] = place  # the next to take it comes after this one
 
 
-def _ready_for(place: int, units: Sequence[TreeUnit], before: Sequence[frozenset[int]]) -> frozenset[int]:
+def _ready_for(place: int, units: Sequence[Step], before: Sequence[frozenset[int]]) -> frozenset[int]:
     """Return what has to be done before the appliance that a unit turns on is used, as far as the tree has it earlier.
 
     An oven is hot before anything is put into it; what only moves (a mixer) would run for nothing meanwhile.
     """
     if not motions.switches_on(units[place].motion):
         return frozenset()
-    running = {one.identity for one in units[place].made if _only_moves(one.node.label)}
+    running = {one.identity for one in units[place].outputs if _only_moves(one.node.label)}
     later = range(place + 1, len(units))
-    user = next((i for i in later if not running.isdisjoint(one.identity for one in units[i].taken)), None)
+    user = next((i for i in later if not running.isdisjoint(one.identity for one in units[i].inputs)), None)
     return frozenset() if user is None else frozenset(earlier for earlier in before[user] if earlier < place)
 
 

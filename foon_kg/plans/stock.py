@@ -20,7 +20,7 @@ from typing import Self
 from foon_kg.food import singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
-from foon_kg.model.tree import TreeUnit, things_found
+from foon_kg.model.tree import Step, things_found
 from foon_kg.plans.kitchen import Kitchen, Shortage, folded, is_place
 from foon_kg.plans.named import called, held_in, in_place, is_heating, is_told, is_vessel, places_of, says, starts_empty
 
@@ -198,12 +198,12 @@ class StockedKitchen(Kitchen):
             return True
         return bool(self.foods_in(node)) and self._is_filled_so(node)
 
-    def shortages(self, units: Iterable[TreeUnit]) -> tuple[Shortage, ...]:
+    def shortages(self, units: Iterable[Step]) -> tuple[Shortage, ...]:
         """Return of what the tree of ``units`` needs more than there are, as a person numbered them.
 
         >>> from foon_kg.model.tree import Mention, Step
         >>> bowl = ObjectNode("bowl")
-        >>> stack = TreeUnit(Step((Mention(bowl, 1), Mention(bowl, 2)), "stack", ()))
+        >>> stack = Step((Mention(bowl, 1), Mention(bowl, 2)), "stack", ())
         >>> found = StockedKitchen.of(Kitchen.default(), [bowl], numbers={"bowl": 1}).shortages([stack])
         >>> [(one.leaf.label, one.needed, one.there) for one in found]
         [('bowl', 2, 1)]

@@ -11,7 +11,7 @@ from foon_kg.food.lists import says, word_list
 from foon_kg.food.rows import Food
 from foon_kg.food.told_states import in_turn
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
-from foon_kg.model.tree import TaskTree, TreeUnit
+from foon_kg.model.tree import Step, TaskTree
 from foon_kg.validation.foon import KnownFoon
 from foon_kg.world import Lump, Part, PlayedStep, World
 from foon_kg.world.reading import NodeReading, Reader
@@ -57,7 +57,7 @@ class Case:
         on = (node for node in self.tree.leaves if world.reader.read(node).on and self.is_named_so(node))
         world.supply.found_on = frozenset(singular(node.label) for node in on)
         for unit in self.tree.units:
-            world.play(unit.step)
+            world.play(unit)
         return world
 
     @property
@@ -118,7 +118,7 @@ class Case:
         places = [place for place, unit in enumerate(self.tree.units) if self.touches_food(unit)]
         return places[-1] if places else None
 
-    def touches_food(self, unit: TreeUnit) -> bool:
+    def touches_food(self, unit: Step) -> bool:
         """Whether food comes out of a unit: what only puts a vessel away does not."""
         return any(self.is_food(node) for node in unit.output_nodes)
 

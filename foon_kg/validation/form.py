@@ -125,9 +125,9 @@ def _was_undone(case: Case, before: int, place: int) -> bool:
     """Whether a switch or lid was put back between two equal steps, so that it is turned or put on anew."""
     if not case.played_steps[place].does(*_SWITCHES):
         return False
-    wanted = set(case.tree.units[place].step.inputs)
+    wanted = set(case.tree.units[place].inputs)
     between = case.tree.units[before + 1 : place]
-    return any(not wanted.isdisjoint(set(unit.step.outputs) - set(unit.step.inputs)) for unit in between)
+    return any(not wanted.isdisjoint(set(unit.outputs) - set(unit.inputs)) for unit in between)
 
 
 def _leads_to_the_end(case: Case) -> set[int]:

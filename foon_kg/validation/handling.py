@@ -186,12 +186,12 @@ def used_up(case: Case) -> Iterator[Finding]:
     """Yield a finding (W1) for food of ``case`` that a step uses up in a vessel, and a later one takes out of there."""
     spent: dict[int, int] = {}
     for place, unit in enumerate(case.tree.units):
-        taken = dict(_in_vessels(unit.step, case))
+        taken = dict(_in_vessels(unit, case))
         for thing, node in taken.items():
             if thing in spent:
                 reason = f"it was used up in step {spent[thing] + 1}"
                 yield Finding("W1", reason, place, (node,))
-        kept = {mention.thing for mention in unit.step.outputs}
+        kept = {mention.thing for mention in unit.outputs}
         for thing in taken:
             if thing not in kept:
                 spent.setdefault(thing, place)

@@ -10,7 +10,7 @@ from typing import get_args
 from foon_kg.food import singular
 from foon_kg.model import FunctionalUnit
 from foon_kg.model.claims import Substitution, SubstitutionKind
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
 from foon_kg.world.reading import NodeReading
@@ -114,7 +114,7 @@ def grounded(case: Case) -> Iterator[Finding]:
         yield from _claims(case, place, unit)
 
 
-def _explained(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:
+def _explained(case: Case, place: int, unit: Step) -> Iterator[Finding]:
     """Ask of a unit that names no source whether the FOON has it, or at least its motion with one of its things."""
     if case.foon is None or unit.nodes_key in case.foon.by_key:
         return
@@ -126,7 +126,7 @@ def _explained(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:
         yield Finding("C8", "the FOON has no unit with this motion and any of these outputs", place)
 
 
-def _differs(case: Case, place: int, unit: TreeUnit, source: FunctionalUnit) -> Iterator[Finding]:
+def _differs(case: Case, place: int, unit: Step, source: FunctionalUnit) -> Iterator[Finding]:
     """Yield in what a unit differs from the one of the FOON that it names, where the tree does not say so."""
     mine, theirs = _facts(case, unit), _facts(case, source)
     if unit.motion != source.motion and not _declared(case, "motion", unit.motion, source.motion):
@@ -150,7 +150,7 @@ def _undeclared_tools(case: Case, mine: frozenset[str], theirs: frozenset[str]) 
     return [tool for tool in others if not any(_declared(case, "tool", tool, other) for other in theirs)]
 
 
-def _claims(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:
+def _claims(case: Case, place: int, unit: Step) -> Iterator[Finding]:
     if unit.grounding is None or case.foon is None or not unit.seen_in:
         return
     words = [level.word for level in Grounding]
@@ -165,12 +165,12 @@ def _is_about_something(facts: _Facts) -> bool:
     return bool(facts.inputs) or not facts.foods
 
 
-def _nearest(case: Case, unit: TreeUnit) -> Grounding:
+def _nearest(case: Case, unit: Step) -> Grounding:
     sources = [case.foon.by_sighting.get((s.video, s.position)) for s in unit.seen_in or ()] if case.foon else []
     return min((nearness(case, unit, source) for source in sources if source), default=Grounding.FOOD)
 
 
-def nearness(case: Case, unit: TreeUnit, source: FunctionalUnit) -> Grounding:
+def nearness(case: Case, unit: Step, source: FunctionalUnit) -> Grounding:
     """Return how near ``source``, a unit of the FOON, is as evidence for ``unit``, one of the tree of ``case``."""
     mine, theirs = _facts(case, unit).foods, _facts(case, source).foods
     if not mine:
@@ -211,7 +211,7 @@ class _Facts:
     appliances: frozenset[str]
 
 
-def _facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
+def _facts(case: Case, unit: Step | FunctionalUnit) -> _Facts:
     """Return what a unit works on and with. Those of the FOON's units are kept, for every tree asks for them."""
     kept = case.foon.facts if case.foon is not None and isinstance(unit, FunctionalUnit) else case.facts
     key = (case.reader.foods, id(unit))  # what is food in one recipe (a wrap) is a utensil in another
@@ -221,7 +221,7 @@ def _facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
     return found
 
 
-def _read_facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
+def _read_facts(case: Case, unit: Step | FunctionalUnit) -> _Facts:
     inputs, outputs = ([case.reader.read(node) for node in side] for side in (unit.input_nodes, unit.output_nodes))
     foods_in, foods_out = _foods(inputs), _foods(outputs)
     tools = frozenset(said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool")

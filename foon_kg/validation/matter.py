@@ -153,12 +153,12 @@ def out_of_nowhere(case: Case) -> Iterator[Finding]:
     """Yield a finding of W4 for each food of ``case`` that goes into a step in a state that no step gave it."""
     last: dict[int, ObjectNode] = {}
     for place, unit in enumerate(case.tree.units):
-        for mention in unit.step.inputs:
+        for mention in unit.inputs:
             claimed = _claimed(mention, last, case)
             if claimed:
                 reason = f"{mention.node.label} is {', '.join(claimed)} now, and no step made it so"
                 yield Finding("W4", reason, place, (mention.node,))
-        last.update((one.thing, one.node) for one in unit.step.outputs if one.thing is not None)
+        last.update((one.thing, one.node) for one in unit.outputs if one.thing is not None)
 
 
 def _claimed(mention: Mention, last: Mapping[int, ObjectNode], case: Case) -> list[str]:
@@ -179,7 +179,7 @@ def second_of_one(case: Case) -> Iterator[Finding]:
     """Yield a finding of W4 for each vessel of ``case`` that is filled while the only one of its kind is full."""
     full: dict[str, int] = {}
     for place, unit in enumerate(case.tree.units):
-        for mention in _vessels(unit.step.outputs, case):
+        for mention in _vessels(unit.outputs, case):
             label, thing = case.read(mention.node).label, mention.thing
             if thing is None:
                 continue

@@ -25,13 +25,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from foon_kg.model import Recipe
 from foon_kg.model.errors import ReadError
 from foon_kg.model.levels import Level
-from foon_kg.model.tree import TaskTree, TreeUnit
+from foon_kg.model.tree import Step, TaskTree
 from foon_kg.validation import notation_nodes as nodes
 from foon_kg.validation.notation_line import HINT, NOTHING, Line, written_rest
 from foon_kg.world import Mention
@@ -122,8 +122,8 @@ def _head(tree: TaskTree) -> Iterator[str]:
     yield from _optional("error", tree.error)
 
 
-def _unit_lines(unit: TreeUnit) -> Iterator[str]:
-    yield nodes.written_step(unit.step)
+def _unit_lines(unit: Step) -> Iterator[str]:
+    yield nodes.written_step(unit)
     if unit.seen_in is not None:
         yield f"  seen in: {nodes.written_sightings(unit.seen_in)}"
     yield from _optional("  grounding", unit.grounding)
@@ -207,19 +207,19 @@ class _Draft:
     where: str
     of_tree: dict[str, Any] = field(default_factory=dict)
     recipe: dict[str, Any] = field(default_factory=dict)
-    steps: list[dict[str, Any]] = field(default_factory=list)
+    steps: list[tuple[Step, dict[str, Any]]] = field(default_factory=list)
 
     def tree(self) -> TaskTree:
         """Return what was read."""
         recipe = Recipe(**{"dish_type": "", "ingredients": (), **self.recipe}) if self.recipe else None
-        units = tuple(TreeUnit(**step) for step in self.steps)
+        units = tuple(replace(step, **said) for step, said in self.steps)
         return TaskTree(**{"name": self.where, **self.of_tree, "units": units, "recipe": recipe})
 
     def add(self, line: Line) -> None:
         """Read a line: a step, or what a key tells."""
         match = _KEY.match(line.text)
         if match is None:
-            self.steps.append({"step": nodes.read_step(line)})
+            self.steps.append((nodes.read_step(line), {}))
         else:
             line.at = match.end()
             self._tell(match[1], line)
@@ -229,7 +229,7 @@ class _Draft:
         key = _KEYS[name]
         if key.of == "step" and not self.steps:
             line.fail(f"“{name}” stands under no step")
-        kept = {"tree": self.of_tree, "recipe": self.recipe, "step": self.steps[-1] if self.steps else {}}[key.of]
+        kept = {"tree": self.of_tree, "recipe": self.recipe, "step": self.steps[-1][1] if self.steps else {}}[key.of]
         if key.again:
             kept[key.field] = (*kept.get(key.field, ()), *key.read(line))
         elif key.field in kept:

@@ -13,7 +13,7 @@ from foon_kg.model.errors import ReadError
 from foon_kg.model.json_fields import Fields
 from foon_kg.model.levels import Level
 from foon_kg.model.node_json import node_from_json, recipe_from_json, sighting_from_json
-from foon_kg.model.tree import Step, TaskTree, TreeUnit
+from foon_kg.model.tree import Step, TaskTree
 from foon_kg.model.tree_json import step_from_json
 
 
@@ -52,7 +52,7 @@ def tree_from_subgraph(subgraph: Subgraph, recipe: Recipe | None = None) -> Task
     """
     units = [annotation.unit for annotation in subgraph.annotations]
     marked = [p.node for unit in units for p in unit.outputs if p.dish_type and not tables().utensil(p.node.label)]
-    return TaskTree(subgraph.name, tuple(map(TreeUnit.of, units)), marked[-1] if marked else None, recipe)
+    return TaskTree(subgraph.name, tuple(map(Step.of_unit, units)), marked[-1] if marked else None, recipe)
 
 
 def _level(fields: Fields) -> Level:
@@ -62,10 +62,12 @@ def _level(fields: Fields) -> Level:
     return Level(number)
 
 
-def _unit(fields: Fields) -> TreeUnit:
+def _unit(fields: Fields) -> Step:
     step = step_from_json(fields)
-    return TreeUnit(
-        Step(tuple(dict.fromkeys(step.inputs)), step.motion, tuple(dict.fromkeys(step.outputs))),
+    return Step(
+        tuple(dict.fromkeys(step.inputs)),
+        step.motion,
+        tuple(dict.fromkeys(step.outputs)),
         fields.optional_text("origin"),
         tuple(map(sighting_from_json, fields.nested_list("seen_in"))) if "seen_in" in fields else (),
         fields.optional_text("grounding"),

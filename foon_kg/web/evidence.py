@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from foon_kg.model import KnownUnit, ObjectNode, Sighting
 from foon_kg.model.claims import Substitution
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 
 Place = tuple[str, int]
 """A video, and the place of a unit in it."""
@@ -18,9 +18,7 @@ def by_place(units: Iterable[KnownUnit]) -> dict[Place, KnownUnit]:
     return {_place(seen): known for known in units for seen in known.seen_in}
 
 
-def stands_in(
-    unit: TreeUnit, substitutions: Sequence[Substitution], known: Mapping[Place, KnownUnit]
-) -> list[JsonObject]:
+def stands_in(unit: Step, substitutions: Sequence[Substitution], known: Mapping[Place, KnownUnit]) -> list[JsonObject]:
     """Return which foods of the step ``unit`` stand where the video shows others, and how sure that is (0 to 1).
 
     They are among the ``substitutions`` of the plan; ``known`` has the units of the FOON by where they are seen. A unit

@@ -31,7 +31,7 @@ class Found(Node):
     things: list[int] | None = None
 
 
-class Step(Told):
+class PlanUnitTold(Told):
     """A unit of a plan: as the FOON has it or adapted, when it is done, and how near its evidence is.
 
     ``grounding``: the same food, a like one, one of its kind, or the motion alone.
@@ -241,7 +241,7 @@ class PlanTold(Told):
     recipe: RecipeTold
     reference: Reference
     goal: Node
-    units: list[Step]
+    units: list[PlanUnitTold]
     kitchen: list[Found]
     substitutions: list[SubstitutionTold]
     assumptions: list[AssumptionTold]

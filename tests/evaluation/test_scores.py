@@ -8,7 +8,7 @@ from kitchen_stories import node, unit
 from foon_kg.evaluation.scores import LineScore, Reason, Rule, share_correct, without_tree
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.knowledge import MadeBy, Vocabulary
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult, ReferenceSummary
 
@@ -21,7 +21,7 @@ VOCABULARY = Vocabulary((), (MadeBy("chopped", "chop", 3), MadeBy("grated", "gra
 
 def scores(want, *lines, goal=GOAL, vocabulary=VOCABULARY):
     food, state = want.split(", ")
-    units = tuple(TreeUnit.of(unit(line), "foon", ()) for line in lines)
+    units = tuple(Step.of_unit(unit(line), "foon", ()) for line in lines)
     recipe = Recipe("salad", (RequiredIngredient(food, state),))
     result = PlanResult(recipe, ReferenceSummary(node(goal), len(units), 1, exact=True), node(goal), units, ())
     (scored,) = Rule(vocabulary, Kitchen.default()).scores(result)

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant, Recipe, Sighting
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult, ReferenceSummary
 
@@ -42,7 +42,7 @@ def plans(draw):
     """Plan results over few nodes, so that units often make what others take; some can be executed, most cannot."""
     pool = st.sampled_from(draw(st.lists(nodes, min_size=3, max_size=6, unique=True)))
     seen = Sighting(draw(names), 3, draw(st.one_of(st.none(), names)), draw(st.sampled_from((None, 0.0, 70.5))))
-    planned = [TreeUnit.of(unit, "foon", (seen,)) for unit in draw(st.lists(units(pool), min_size=1, max_size=4))]
+    planned = [Step.of_unit(unit, "foon", (seen,)) for unit in draw(st.lists(units(pool), min_size=1, max_size=4))]
     goal = draw(st.sampled_from(planned[-1].output_nodes))
     kitchen = tuple(draw(st.lists(pool, unique=True)))
     recipe = Recipe("salad", (), title=draw(st.one_of(st.none(), names)))

@@ -98,9 +98,9 @@ def test_every_action_of_a_plan_stands_behind_what_has_to_be_so_before_it():
             told.append((before, one.get("input_things"), one.get("output_things")))
             before = []
     assert [conditions for conditions, _, _ in told] == [
-        [(node, thing) for node, thing, _ in unit.taken] for unit in plan.units
+        [(node, thing) for node, thing, _ in unit.inputs] for unit in plan.units
     ]
-    assert told[-1][2] == ";".join(str(thing) for _, thing, _ in plan.units[-1].made)
+    assert told[-1][2] == ";".join(str(thing) for _, thing, _ in plan.units[-1].outputs)
     assert root.find("TreeNodesModel/Condition").get("ID") == "IsSo"
 
 

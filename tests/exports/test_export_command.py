@@ -16,7 +16,7 @@ from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.formats.exports.formats import ENDINGS
 from foon_kg.loaders import read_json, read_text, read_weights, write_json, write_text
 from foon_kg.model import Recipe, RequiredIngredient, Sighting
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.result import PlanFailure, PlanResult, ReferenceSummary
 from foon_kg.store.graph import Connection, load, load_weights
 
@@ -26,7 +26,7 @@ PLAN = PlanResult(
     Recipe("salad", (RequiredIngredient("onion", "chopped"),), id="dish/1"),
     ReferenceSummary(SALAD_NODE, 8, 1, exact=True),
     SALAD_NODE,
-    tuple(TreeUnit.of(unit(line), "foon", (Sighting("story", place),)) for place, line in enumerate(SALAD)),
+    tuple(Step.of_unit(unit(line), "foon", (Sighting("story", place),)) for place, line in enumerate(SALAD)),
     (node("onion(whole)"), node("tomato(whole)"), node("knife")),
 )
 FAILURE = PlanFailure(Recipe("pie", ()), "no-goal", "no pie is known")

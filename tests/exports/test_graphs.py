@@ -20,7 +20,7 @@ from foon_kg.formats.exports.mermaid import write_mermaid
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import Recipe, Sighting
 from foon_kg.model.errors import FormatError
-from foon_kg.model.tree import Step, TreeUnit, nodes_of
+from foon_kg.model.tree import Step, nodes_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult, ReferenceSummary
 from foon_kg.store.snapshot import Snapshot
@@ -158,15 +158,15 @@ def test_control_characters_are_refused_where_xml_cannot_hold_them():
 def with_numbers(unit, *sides):
     inputs, outputs = (
         tuple(one._replace(thing=number, container_thing=within) for one, (number, within) in zip(*both, strict=True))
-        for both in zip((unit.taken, unit.made), sides, strict=True)
+        for both in zip((unit.inputs, unit.outputs), sides, strict=True)
     )
-    return replace(unit, step=Step(inputs, unit.motion, outputs))
+    return replace(unit, inputs=inputs, outputs=outputs)
 
 
 def test_two_things_that_look_alike_are_two_nodes_where_the_plan_numbers_them():
     lines = ("bowl; onion > add > bowl{onion}", "bowl; leek > add > bowl{leek}", "bowl{leek}; bowl{onion} > mix > soup")
     things = ([(1, None), (2, None)], [(3, None), (4, None)], [(3, None), (1, None)])
-    planned = [TreeUnit.of(unit(line), "foon", ()) for line in lines]
+    planned = [Step.of_unit(unit(line), "foon", ()) for line in lines]
     numbered = [
         with_numbers(one, taken, [(taken[0][0] if place < 2 else 5, None)])
         for place, (one, taken) in enumerate(zip(planned, things, strict=True))

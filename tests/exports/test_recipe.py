@@ -16,7 +16,7 @@ from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.formats.video_address import video_address
 from foon_kg.model import Recipe, RequiredIngredient, Sighting
 from foon_kg.model.claims import Assumption, Substitution
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult, ReferenceSummary
 
@@ -138,7 +138,7 @@ def plan(**changes):
         "recipe": Recipe("salad", (onion, RequiredIngredient("tomato", "diced"), onion), title="My salad"),
         "reference": ReferenceSummary(salad, 8, 2, exact=True),
         "goal": salad,
-        "units": tuple(TreeUnit.of(step, "foon", seen) for step in steps),
+        "units": tuple(Step.of_unit(step, "foon", seen) for step in steps),
         "kitchen": (
             node("knife"),
             node("onion(whole)"),

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 from foon_kg.loaders import read_text, write_text
 from foon_kg.model import Recipe, Sighting
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.result import PlanResult, ReferenceSummary
 
 GOAL = node("salad(mixed){onion,salt,tomato}@bowl")
@@ -22,7 +22,7 @@ PLACES = (
     (Sighting("bean", 3), Sighting("winter", 1, "http://videos.org/winter", 5.25, 9.0)),
 )
 STEPS = tuple(
-    TreeUnit.of(unit(line), "foon", places) for line, places in zip(SALAD, (*PLACES, *[()] * 9), strict=False)
+    Step.of_unit(unit(line), "foon", places) for line, places in zip(SALAD, (*PLACES, *[()] * 9), strict=False)
 )
 PLAN = PlanResult(Recipe("salad", (), id="dish"), ReferenceSummary(GOAL, 8, 1, exact=True), GOAL, STEPS, ())
 
@@ -52,7 +52,7 @@ def test_the_text_of_a_plan_keeps_where_each_step_was_seen(tmp_path, form):
 
 def test_a_step_that_was_seen_nowhere_names_no_video_and_no_file(tmp_path):
     nowhere = tmp_path / "tree.txt"
-    steps = tuple(TreeUnit.of(unit(line), "adapted", ()) for line in SALAD)
+    steps = tuple(Step.of_unit(unit(line), "adapted", ()) for line in SALAD)
     never_seen = PlanResult(PLAN.recipe, PLAN.reference, GOAL, steps, ())
     nowhere.write_text(write_text(never_seen.to_subgraph()), encoding="utf-8")
     assert not any("video" in one for one in actions(run("export", nowhere, "-f", "behaviour-tree", "-q").stdout))

@@ -93,10 +93,10 @@ def planned(food, state):
 
 def life_of(food, result):
     """Return what is done to the asked food as long as it is a thing of its own: motion and its states then."""
-    number = next(thing for unit in result.units for node, thing, _ in unit.taken if node.label == food)
+    number = next(thing for unit in result.units for node, thing, _ in unit.inputs if node.label == food)
     found = []
     for unit in result.units:
-        nodes = [node for node, thing, _ in unit.made if thing == number and node.label == food]
-        if any(one.thing == number for one in unit.taken):
+        nodes = [node for node, thing, _ in unit.outputs if thing == number and node.label == food]
+        if any(one.thing == number for one in unit.inputs):
             found.append((unit.motion, nodes[0].states if nodes else ()))
     return found

@@ -19,7 +19,7 @@ from foon_kg.formats.pictures.scene import MotionBox, ObjectBox, scene_of
 from foon_kg.formats.pictures.tree import tree_svg
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.model import ObjectNode
-from foon_kg.model.tree import Step, TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 
@@ -115,7 +115,7 @@ def test_every_video_of_the_demo_can_be_drawn():
 
 def test_words_that_mean_something_in_xml_are_only_words():
     strange = ObjectNode('<b>"&\x00', ("a<b",), ("x&y",))
-    units = (TreeUnit(Step.of((strange,), "mix & <stir>", (ObjectNode("soup"),)), "foon", ()),)
+    units = (Step.of((strange,), "mix & <stir>", (ObjectNode("soup"),), "foon", ()),)
     svg = tree_svg(ShownTree("<title>", units, ObjectNode("soup"), (strange,), ()), KITCHEN)
     assert '<b>"&\ufffd' in texts(svg)
     assert "1 mix & <stir>" in texts(svg)

@@ -183,8 +183,8 @@ def test_no_second_vessel_comes_onto_the_stove_beside_one_that_is_done():
     ):
         there: set[int | None] = set()
         for unit in units:
-            there -= {one.thing for one in unit.made if one.node.container != "stove"}
-            there |= {one.thing for one in unit.made if one.node.container == "stove" and one.node.label in POTS}
+            there -= {one.thing for one in unit.outputs if one.node.container != "stove"}
+            there |= {one.thing for one in unit.outputs if one.node.container == "stove" and one.node.label in POTS}
             assert len(there) <= 1
         assert any("stove" in {node.label for node in unit.output_nodes} for unit in units)
 

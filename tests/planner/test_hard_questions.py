@@ -110,14 +110,14 @@ def test_water_that_is_asked_is_not_taken_again_for_washing():
     washing = Snapshot.of([subgraph("washed", "salad", *WASHED)], KITCHEN)
 
     units = plan(washing, recipe("salad", "lettuce chopped", "salt granulated", "water liquid"), SETTINGS).units
-    waters = [thing for unit in units for node, thing, _ in unit.taken if node.label == "water"]
+    waters = [thing for unit in units for node, thing, _ in unit.inputs if node.label == "water"]
     assert len(set(waters)) == 1
 
 
 def test_water_for_washing_comes_from_the_one_tap_of_the_kitchen_which_is_a_thing_of_the_step():
     washing = Snapshot.of([subgraph("washed", "salad", *WASHED)], KITCHEN)
     units = plan(washing, recipe("salad", "lettuce washed", "spinach washed", "salt granulated"), SETTINGS).units
-    taken = [one for unit in units for one in unit.taken]
+    taken = [one for unit in units for one in unit.inputs]
     waters = [one for one in taken if one.node.label == "water"]
     assert len(waters) == 2
     assert {one.container_thing for one in waters} == {one.thing for one in taken if one.node.label == "faucet"}

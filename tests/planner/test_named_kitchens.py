@@ -112,7 +112,7 @@ def numbered(**numbers):
 def test_a_plan_tells_how_many_of_a_thing_are_found_so():
     result = plan(SNAPSHOT, WANTED, SETTINGS)
     things = {entry["label"]: entry["things"] for entry in result.to_json()["kitchen"] if entry["label"] != "salt"}
-    first = {one.thing: one.node.label for unit in reversed(result.units) for one in unit.taken}
+    first = {one.thing: one.node.label for unit in reversed(result.units) for one in unit.inputs}
     assert len(things["cutting board"]) == 2
     assert all(first[number] == label for label, numbers in things.items() for number in numbers)
 

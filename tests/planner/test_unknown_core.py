@@ -22,10 +22,7 @@ def test_the_one_food_that_nobody_knows_is_the_core(public_plans, dish_type, cal
     (told,) = [one.why for one in result.assumptions if "“zorbik”" in one.why]
     assert "the only such food" in told
     motions = {
-        unit.step.motion
-        for unit in result.units
-        for node in unit.input_nodes
-        if called in {node.label, *node.ingredients}
+        unit.motion for unit in result.units for node in unit.input_nodes if called in {node.label, *node.ingredients}
     }
     assert any(does in motion for motion in motions)
 

@@ -176,7 +176,7 @@ def test_nothing_is_on_at_the_end_and_what_is_on_was_turned_on(recipe):
     result = tree(recipe)
     power = {}
     for unit in result.units:
-        for node, *things in unit.made:
+        for node, *things in unit.outputs:
             row = tables().utensil(node.label)
             if row is not None and row.role == "appliance" and not row.always_on and {"on", "off"} & set(node.states):
                 power[tuple(things) if row.power == "vessel" else things[0]] = "on" in node.states

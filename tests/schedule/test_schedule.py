@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import UsageError
-from foon_kg.model.tree import Mention, Step, TreeUnit, leaves_of
+from foon_kg.model.tree import Mention, Step, leaves_of
 from foon_kg.plans.durations import Duration, Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.schedule import UNTIMED, WITHOUT_HANDS, schedule
@@ -31,7 +31,7 @@ def step(motion, inputs, outputs):
     nodes = [
         tuple(ObjectNode(*one) if isinstance(one, tuple) else ObjectNode(one) for one in s) for s in (inputs, outputs)
     ]
-    return TreeUnit(Step.of(nodes[0], motion, nodes[1]), "foon", ())
+    return Step.of(nodes[0], motion, nodes[1], "foon", ())
 
 
 def planned(units, hands=1, times=TIMES):
@@ -108,7 +108,7 @@ motions = st.sampled_from(["chop", "mix", "bake", "pour"])
 
 @st.composite
 def trees(draw):
-    return [TreeUnit(Step.of(unit.input_nodes, draw(motions), unit.output_nodes), "foon", ()) for unit in draw(units)]
+    return [Step.of(unit.input_nodes, draw(motions), unit.output_nodes, "foon", ()) for unit in draw(units)]
 
 
 def at(plan, moment):
@@ -165,7 +165,7 @@ def in_this_order(tree, order, hands):
 @settings(max_examples=40)
 @given(st.lists(st.tuples(any_units, motions), min_size=1, max_size=5), st.integers(1, 2))
 def test_a_schedule_that_says_it_is_the_shortest_is(rows, hands):
-    tree = [TreeUnit(Step.of(u.input_nodes, motion, u.output_nodes), "foon", ()) for u, motion in rows]
+    tree = [Step.of(u.input_nodes, motion, u.output_nodes, "foon", ()) for u, motion in rows]
     plan = planned(tree, hands)
     best = min(in_this_order(tree, order, hands) for order in itertools.permutations(range(len(tree))))
     assert plan.length >= best
@@ -181,7 +181,7 @@ def on_the_stove(vessel, stove="stove"):
         Mention(source, 9, vessel if stove == "stove" else None),
     )
     made = (Mention(ObjectNode("water", ("boiling",)), vessel + 10, vessel),)
-    return TreeUnit(Step(taken, "boil", made), "foon", ())
+    return Step(taken, "boil", made, "foon", ())
 
 
 def test_a_stove_has_a_burner_for_each_vessel_and_an_oven_is_there_once():

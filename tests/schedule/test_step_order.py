@@ -9,12 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.model import ObjectNode
-from foon_kg.model.tree import Mention, Step, TreeUnit
+from foon_kg.model.tree import Mention, Step
 from foon_kg.plans.step_order import earlier_steps
 
 
 def step(inputs, motion, outputs):
-    return TreeUnit(Step.of(tuple(inputs), motion, tuple(outputs)), "foon", ())
+    return Step.of(tuple(inputs), motion, tuple(outputs), "foon", ())
 
 
 ONION, CHOPPED = ObjectNode("onion", ("whole",)), ObjectNode("onion", ("chopped",))
@@ -52,7 +52,7 @@ def makers(units, order):
 
 @given(st.lists(any_units, min_size=1, max_size=7), st.randoms(use_true_random=False))
 def test_in_every_order_that_waits_as_told_the_same_units_take_from_the_same(some, chance: random.Random):
-    steps = [TreeUnit.of(unit, "foon", ()) for unit in some]
+    steps = [Step.of_unit(unit, "foon", ()) for unit in some]
     before = earlier_steps(steps)
     order: list[int] = []
     while len(order) < len(steps):
@@ -67,7 +67,7 @@ FULL = ObjectNode("bowl", (), ("onion",))
 
 def numbered(inputs, motion, outputs, phase=None):
     taken, made = (tuple(Mention(*one) for one in side) for side in (inputs, outputs))
-    return TreeUnit(Step(taken, motion, made), "foon", (), phase=phase)
+    return Step(taken, motion, made, "foon", (), phase=phase)
 
 
 def test_two_bowls_that_look_alike_are_filled_side_by_side_and_one_bowl_is_not():

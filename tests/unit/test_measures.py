@@ -22,7 +22,7 @@ from foon_kg.model import (
 )
 from foon_kg.model.collected import CalledFor
 from foon_kg.model.json_fields import Fields
-from foon_kg.model.tree import Mention, Step, TreeUnit
+from foon_kg.model.tree import Mention, Step
 from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.measures import amounts_asked, measured_words, with_asked, with_measures
@@ -36,7 +36,7 @@ BREAD = """(defparameter *recipe* '((get-kitchen ?k)
 SUBGRAPH = read_muhai_text(BREAD, "bread").subgraph
 RECORDED = [KnownUnit(unit, (seen,)) for unit, seen in sightings_of(SUBGRAPH)]
 CUP = AskedAmount("1 1/2 cups", "flour")
-PLANNED = [TreeUnit.of(known.unit, "foon", ()) for known in RECORDED]
+PLANNED = [Step.of_unit(known.unit, "foon", ()) for known in RECORDED]
 
 
 @pytest.mark.parametrize(
@@ -78,8 +78,7 @@ OTHERS = (("motion", "boil"), ("inputs", ()))
 
 def test_another_video_another_motion_and_other_things_say_nothing():
     assert with_measures(PLANNED, RECORDED, "cake") == tuple(PLANNED)
-    step = PLANNED[-1].step
-    boiled, elsewhere = (replace(PLANNED[-1], step=replace(step, **{field: value})) for field, value in OTHERS)
+    boiled, elsewhere = (replace(PLANNED[-1], **{field: value}) for field, value in OTHERS)
     assert [one.measures.seconds for one in with_measures([boiled, elsewhere], RECORDED, "bread")] == [None, None]
 
 
@@ -97,14 +96,14 @@ def test_a_planned_step_is_read_back_with_its_measures():
     assert "measures" not in unit_to_json(PLANNED[-1])
 
 
-def poured(food: str, thing: int, motion: str = "pour") -> TreeUnit:
+def poured(food: str, thing: int, motion: str = "pour") -> Step:
     """Return a step that pours a thing into a bowl."""
     bowl = Mention(ObjectNode("bowl"), 99)
     before, after = Mention(ObjectNode(food), thing), Mention(ObjectNode(food, ("poured",)), thing)
-    return TreeUnit(Step((before, bowl), motion, (after, bowl)))
+    return Step((before, bowl), motion, (after, bowl))
 
 
-def asked(steps: list[TreeUnit], *foods: tuple[RequiredIngredient, int]) -> list[list[str]]:
+def asked(steps: list[Step], *foods: tuple[RequiredIngredient, int]) -> list[list[str]]:
     return [[one.amount for one in step.measures.asked] for step in with_asked(steps, foods)]
 
 

@@ -10,7 +10,7 @@ from foon_kg.formats.views.notebook import plan_html, steps_frame
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.errors import UsageError
-from foon_kg.model.tree import Step, TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.result import PlanResult, ReferenceSummary
 
 KOHLRABI, GRATED = ObjectNode("kohlrabi", ("whole",)), ObjectNode("kohlrabi", ("grated",), (), "in", "bowl")
@@ -21,8 +21,8 @@ PLAN = PlanResult(
     reference=ReferenceSummary(SALAD, 7, 0, exact=True),
     goal=SALAD,
     units=(
-        TreeUnit(Step.of((KOHLRABI,), "grate", (GRATED,)), "adapted", (Sighting("carrot", 2, None, 5.0, 9.0),)),
-        TreeUnit(Step.of((GRATED, CREAM), "toss", (SALAD,)), "foon", ()),
+        Step.of((KOHLRABI,), "grate", (GRATED,), "adapted", (Sighting("carrot", 2, None, 5.0, 9.0),)),
+        Step.of((GRATED, CREAM), "toss", (SALAD,), "foon", ()),
     ),
     kitchen=(KOHLRABI, CREAM),
     substitutions=(Substitution("object", "kohlrabi", "kohlrabi", "carrot", 0.534, (Alternative("celery", 0.2),)),),

@@ -13,7 +13,7 @@ from foon_kg.model import FunctionalUnit, ObjectNode, Participant, Recipe, Requi
 from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.errors import NoTreeError, ReadError
 from foon_kg.model.json_fields import Fields
-from foon_kg.model.tree import Mention, Step, TreeUnit
+from foon_kg.model.tree import Mention, Step
 from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.progress import ProgressLine, ProgressStep
 from foon_kg.plans.result import PlanFailure, PlanResult, ReferenceSummary
@@ -28,8 +28,10 @@ sightings = st.builds(Sighting, words, st.integers(0, 99), st.none() | words, se
 numbers = st.none() | st.integers(0, 9)
 sides = st.lists(st.builds(Mention, nodes, numbers, numbers), max_size=3).map(tuple)
 units = st.builds(
-    TreeUnit,
-    st.builds(Step, sides, words, sides),
+    Step,
+    sides,
+    words,
+    sides,
     st.sampled_from(["foon", "adapted"]),
     st.lists(sightings, max_size=2).map(tuple),
 )
@@ -77,8 +79,8 @@ def small_result() -> PlanResult:
         reference=ReferenceSummary(salad, 2, 1, exact=True),
         goal=salad,
         units=(
-            TreeUnit.of(chop, "foon", (Sighting("0001-a", 3, "https://example.org/a", 1.0, 2.0),)),
-            TreeUnit.of(toss, "foon", (Sighting("0002-b", 0),)),
+            Step.of_unit(chop, "foon", (Sighting("0001-a", 3, "https://example.org/a", 1.0, 2.0),)),
+            Step.of_unit(toss, "foon", (Sighting("0002-b", 0),)),
         ),
         kitchen=(board, onion),
     )
@@ -129,20 +131,20 @@ def test_a_failure_has_no_units_and_keeps_what_the_error_said():
 
 def test_the_goal_is_marked_where_it_is_made_though_a_stove_is_turned_off_after_it():
     plan = small_result()
-    off = TreeUnit(Step.of((ObjectNode("stove", ("on",)),), "turn off", (ObjectNode("stove", ("off",)),)), "foon", ())
+    off = Step.of((ObjectNode("stove", ("on",)),), "turn off", (ObjectNode("stove", ("off",)),), "foon", ())
     units = [note.unit for note in replace(plan, units=(*plan.units, off)).to_subgraph().annotations]
     assert [p.dish_type for unit in units for p in unit.outputs] == [None, "salad", None]
 
 
 def test_things_keep_their_numbers_and_steps_their_phase_and_grounding():
-    step = Step((Mention(chopped, 1, 2), Mention(board, 3)), "toss", (Mention(salad, 4),))
-    unit = TreeUnit(step, "adapted", (Sighting("0002-b", 0),), "like", "finish")
+    taken, made = (Mention(chopped, 1, 2), Mention(board, 3)), (Mention(salad, 4),)
+    unit = Step(taken, "toss", made, "adapted", (Sighting("0002-b", 0),), "like", "finish")
     value = unit_to_json(unit)
     assert [node.get("thing") for node in value["input_nodes"]] == [1, 3]
     assert [node.get("container_thing") for node in value["input_nodes"]] == [2, None]
     assert (value["phase"], value["grounding"]) == ("finish", "like")
     assert unit_from_json(Fields(json.loads(json.dumps(value)), "unit")) == unit
-    assert [one.identity for one in unit.taken] == [1, 3]
+    assert [one.identity for one in unit.inputs] == [1, 3]
 
 
 def test_the_subgraph_of_a_plan_keeps_stars_and_flags_and_marks_only_the_goal():

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant, Sighting
-from foon_kg.model.tree import Step, TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.step_changes import step_changes
 
 
@@ -16,8 +18,7 @@ def known(place, inputs, motion, outputs):
 
 
 def planned(unit, step=None, **changed):
-    step = step or Step.of(unit.unit.input_nodes, unit.unit.motion, unit.unit.output_nodes)
-    return TreeUnit(**{"step": step, "origin": "foon", "seen_in": unit.seen_in, **changed})
+    return replace(step or Step.of_unit(unit.unit), **{"origin": "foon", "seen_in": unit.seen_in, **changed})
 
 
 CARROT, GRATED = ObjectNode("carrot"), ObjectNode("carrot", ("grated",))
@@ -25,7 +26,7 @@ KOHLRABI, GRATED_KOHLRABI = ObjectNode("kohlrabi"), ObjectNode("kohlrabi", ("gra
 GRATE = known(0, [CARROT], "grate", [GRATED])
 SALT = known(1, [GRATED, ObjectNode("salt")], "sprinkle", [GRATED])
 TOSS = known(2, [GRATED], "toss", [ObjectNode("salad")])
-PEEL = TreeUnit(Step.of((KOHLRABI,), "peel", (KOHLRABI,)), "foon", (Sighting("other", 4),))
+PEEL = Step.of((KOHLRABI,), "peel", (KOHLRABI,), "foon", (Sighting("other", 4),))
 
 
 def told(reference, final):

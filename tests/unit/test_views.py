@@ -16,7 +16,7 @@ from foon_kg.formats.views.tree import plan_view, tree_view
 from foon_kg.formats.views.words import node_words, shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.claims import Alternative, Assumption, Substitution
-from foon_kg.model.tree import Step, TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.progress import ProgressLine, ProgressStep
 from foon_kg.plans.result import GoalPassedOver, PlanResult, ReferenceSummary
 
@@ -35,8 +35,8 @@ PLAN = PlanResult(
     reference=ReferenceSummary(SALAD, 7, 0, exact=True, videos=("greens",)),
     goal=SALAD,
     units=(
-        TreeUnit(Step.of((KOHLRABI, GRATER, BOWL), "grate", (GRATED, FULL_BOWL)), "adapted", (Sighting("carrot", 2),)),
-        TreeUnit(Step.of((FULL_BOWL, GRATED, CREAM), "toss", (SALAD, GRATER)), "foon", (Sighting("greens", 5),)),
+        Step.of((KOHLRABI, GRATER, BOWL), "grate", (GRATED, FULL_BOWL), "adapted", (Sighting("carrot", 2),)),
+        Step.of((FULL_BOWL, GRATED, CREAM), "toss", (SALAD, GRATER), "foon", (Sighting("greens", 5),)),
     ),
     kitchen=(KOHLRABI, GRATER, BOWL, CREAM),
     substitutions=(

@@ -144,7 +144,7 @@ def numbered(text, things):
 
     units = []
     for place, unit in enumerate(tree.units):
-        step = Step(side(unit.step.inputs, place), unit.motion, side(unit.step.outputs, place))
+        step = Step(side(unit.inputs, place), unit.motion, side(unit.outputs, place))
         units.append(replace(unit, step=step))
     return replace(tree, units=tuple(units))
 

@@ -10,7 +10,7 @@ from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.errors import ReadError
 from foon_kg.model.levels import Level
-from foon_kg.model.tree import TaskTree, TreeUnit
+from foon_kg.model.tree import TaskTree
 from foon_kg.validation.contract import rules
 from foon_kg.validation.notation import Remark, read_tree, read_trees, remarks, write_tree
 from foon_kg.validation.notation_nodes import RELATIONS, written_node
@@ -34,8 +34,10 @@ nodes = st.builds(
 )
 sides = st.lists(st.builds(Mention, nodes, numbers, numbers), max_size=3).map(tuple)
 units = st.builds(
-    TreeUnit,
-    st.builds(Step, sides, names | st.just("Pour") | st.just("pick-and-place"), sides),
+    Step,
+    sides,
+    names | st.just("Pour") | st.just("pick-and-place"),
+    sides,
     st.none() | names,
     st.none() | st.lists(st.builds(Sighting, names, st.integers()), max_size=2).map(tuple),
     st.none() | names,
@@ -144,7 +146,7 @@ def test_a_node_is_read(text, node):
 
 
 def test_things_carry_numbers():
-    step = read_tree("egg#2 (in bowl#1) + bowl#1 (dirty) → POUR → bowl#3").units[0].step
+    step = read_tree("egg#2 (in bowl#1) + bowl#1 (dirty) → POUR → bowl#3").units[0]
     assert [(mention.thing, mention.container_thing) for mention in step.inputs] == [(2, 1), (1, None)]
     assert step.outputs == (Mention(ObjectNode("bowl"), 3),)
 
@@ -190,10 +192,10 @@ def test_everything_that_is_told_of_a_tree_is_read():
     assert tree == TaskTree(
         "leek soup",
         (
-            TreeUnit(
-                Step.of(
-                    (ObjectNode("leek", ("whole",)), ObjectNode("knife")), "slice", (ObjectNode("leek", ("sliced",)),)
-                ),
+            Step(
+                (Mention(ObjectNode("leek", ("whole",))), Mention(ObjectNode("knife"))),
+                "slice",
+                (Mention(ObjectNode("leek", ("sliced",))),),
                 "adapted",
                 (Sighting("onion_soup", 4), Sighting("0027 - salad", 0)),
                 "like",
@@ -242,7 +244,7 @@ def test_what_a_text_leaves_out_is_not_told():
         "kitchen: nothing\nsubstitution: nothing\nassumed: nothing\nnothing → WAIT → nothing\nseen in: nothing"
     )
     assert (nothing.kitchen, nothing.substitutions, nothing.assumptions) == ((), (), ())
-    assert nothing.units == (TreeUnit(Step((), "wait", ()), seen_in=()),)
+    assert nothing.units == (Step((), "wait", (), seen_in=()),)
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,6 @@ from foon_kg.model import (
 from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.errors import ReadError
 from foon_kg.model.levels import Level
-from foon_kg.model.tree import TreeUnit
 from foon_kg.validation import tree_from_json, tree_from_subgraph
 from foon_kg.validation.notation import read_tree
 from foon_kg.world import Mention
@@ -140,8 +139,8 @@ def test_things_carry_their_numbers():
     placed = SLICED | {"relation": "in", "container": "bowl", "thing": 3, "container_thing": 4}
     step = {"input_nodes": [TOMATO | {"thing": 2}], "motion_node": "put", "output_nodes": [placed]}
     (unit,) = read(units=[step]).units
-    assert unit.step.inputs == (Mention(ObjectNode("tomato", ("whole",)), 2, None),)
-    assert unit.step.outputs == (Mention(ObjectNode("tomato", ("sliced",), (), "in", "bowl"), 3, 4),)
+    assert unit.inputs == (Mention(ObjectNode("tomato", ("whole",)), 2, None),)
+    assert unit.outputs == (Mention(ObjectNode("tomato", ("sliced",), (), "in", "bowl"), 3, 4),)
 
 
 def test_a_node_that_one_side_names_twice_counts_once():
@@ -159,7 +158,7 @@ def test_two_things_with_one_node_are_two():
             "output_nodes": [SLICED],
         }]
     ).units  # fmt: skip
-    assert [mention.thing for mention in unit.step.inputs] == [1, 2]
+    assert [mention.thing for mention in unit.inputs] == [1, 2]
 
 
 @pytest.mark.parametrize(
@@ -290,4 +289,4 @@ def test_numbers_of_things_count_for_a_unit_of_the_tree_and_not_for_one_of_the_f
 
 
 def test_a_unit_knows_its_motion():
-    assert TreeUnit(TWO_STEPS.units[0].step).motion == "slice"
+    assert TWO_STEPS.units[0].motion == "slice"

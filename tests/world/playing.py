@@ -17,7 +17,7 @@ def play(text, asked=()):
     """Return the kitchen in which the steps of ``text`` were played."""
     world = World(asked)
     for unit in read_tree(text).units:
-        world.play(unit.step)
+        world.play(unit)
     return world
 
 

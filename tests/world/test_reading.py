@@ -12,7 +12,7 @@ from foon_kg.world.reading import Reader, reader
 
 def read(text, foods=()):
     """Return what the node in ``text`` says, read anew."""
-    ((mention,),) = (unit.step.inputs for unit in read_tree(f"{text} → PUT → nothing").units)
+    ((mention,),) = (unit.inputs for unit in read_tree(f"{text} → PUT → nothing").units)
     return Reader(tables(), frozenset(foods)).read(mention.node)
 
 

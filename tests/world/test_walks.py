@@ -25,7 +25,7 @@ from world.kitchen_things import VESSELS
 from world.kitchen_walk import walks, without_numbers
 
 from foon_kg.model import ObjectNode
-from foon_kg.model.tree import TaskTree, TreeUnit
+from foon_kg.model.tree import TaskTree
 from foon_kg.validation import TABLE, WORLD, check
 from foon_kg.validation.notation import read_tree, write_tree
 from foon_kg.world import Mention, Step, World
@@ -53,7 +53,7 @@ numbered_or_not = pytest.mark.parametrize("numbered", [True, False])
 
 def tree(lines, goal=None, *, numbered=True):
     told = lines if numbered else map(without_numbers, lines)
-    return TaskTree("walk", tuple(TreeUnit(step(line)) for line in told), goal)
+    return TaskTree("walk", tuple(map(step, told)), goal)
 
 
 def step(line):
@@ -137,7 +137,7 @@ nodes = st.builds(
 )
 numbers = st.none() | st.integers(0, 5)
 sides = st.lists(st.builds(Mention, nodes, numbers, numbers), max_size=5).map(tuple)
-units = st.builds(TreeUnit, st.builds(Step, sides, motions, sides))
+units = st.builds(Step, sides, motions, sides)
 
 
 @pytest.mark.slow
@@ -195,5 +195,5 @@ def test_what_is_divided_and_joined_again_does_not_grow():
     """
     world = World()
     for unit in read_tree(dedent(told)).units * 30:
-        world.play(unit.step)
+        world.play(unit)
     assert len(world.supply.parts) < 5 * 60

@@ -21,7 +21,7 @@ from foon_kg.formats.exports.pddl_names import slug
 from foon_kg.formats.exports.pddl_things import has_numbers
 from foon_kg.formats.exports.tree import ExportedTree, best_sighting
 from foon_kg.model import KnownUnit, ObjectNode
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 
 _TREE = "TaskTree"
 _TEXTS = "std::vector<std::string>"
@@ -110,8 +110,8 @@ def _success(known: KnownUnit, costs: MotionCosts) -> dict[str, str]:
     return {"success_rate": f"{float(costs.success(motion)):g}"} if motion in costs.costs else {}
 
 
-def _add_conditions(sequence: ET.Element, unit: TreeUnit) -> None:
-    for one in unit.taken:
+def _add_conditions(sequence: ET.Element, unit: Step) -> None:
+    for one in unit.inputs:
         attributes = {"ID": _CONDITION, "name": _instance(one.node.label), "object": xml_text(node_text(one.node))}
         attributes["thing"] = str(one.thing)
         if one.container_thing is not None:
@@ -119,9 +119,9 @@ def _add_conditions(sequence: ET.Element, unit: TreeUnit) -> None:
         ET.SubElement(sequence, "Condition", attributes)
 
 
-def _numbers(unit: TreeUnit) -> dict[str, str]:
+def _numbers(unit: Step) -> dict[str, str]:
     """Return the numbers of all nodes, in the order of the nodes; here two things that look alike are two."""
-    sides = {"input": unit.taken, "output": unit.made}
+    sides = {"input": unit.inputs, "output": unit.outputs}
     told = {f"{name}_things": ";".join(str(one.thing) for one in side) for name, side in sides.items()}
     return told | {f"{name}s": _listed(one.node for one in side) for name, side in sides.items()}
 

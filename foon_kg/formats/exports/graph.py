@@ -9,7 +9,7 @@ from typing import Self
 from foon_kg.food.motion_costs import NO_COSTS, MotionCosts
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import KnownUnit, ObjectNode, Participant
-from foon_kg.model.tree import Mention, TreeUnit
+from foon_kg.model.tree import Mention, Step
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 
@@ -77,7 +77,7 @@ def _numbered(units: Sequence[KnownUnit]) -> dict[str, KnownUnit]:
 
 
 def _drawn(
-    units: Sequence[KnownUnit], of_plan: Sequence[TreeUnit] = (), more: Iterable[ObjectNode] = ()
+    units: Sequence[KnownUnit], of_plan: Sequence[Step] = (), more: Iterable[ObjectNode] = ()
 ) -> tuple[dict[tuple[ObjectNode, int | None], str], tuple[Edge, ...]]:
     """Return the ids of the object nodes of ``units`` and ``more``, by their numbers as things, and the edges.
 
@@ -91,10 +91,10 @@ def _drawn(
 
     for place, known in enumerate(units):
         motion, unit = f"m{place + 1}", known.unit
-        planned = of_plan[place] if of_plan else TreeUnit.of(unit, "foon", ())
+        planned = of_plan[place] if of_plan else Step.of_unit(unit, "foon", ())
         takes, gives = _moving(unit.inputs), _moving(unit.outputs)
-        edges += [Edge(name(one), motion, one.node in takes) for one in dict.fromkeys(planned.taken)]
-        edges += [Edge(motion, name(one), one.node in gives) for one in dict.fromkeys(planned.made)]
+        edges += [Edge(name(one), motion, one.node in takes) for one in dict.fromkeys(planned.inputs)]
+        edges += [Edge(motion, name(one), one.node in gives) for one in dict.fromkeys(planned.outputs)]
     there = {node for node, _ in names}
     for node in more:
         if node not in there:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from foon_kg.food import tables
 from foon_kg.formats.exports.pddl_names import name_of, words_of
 from foon_kg.model import ObjectNode
-from foon_kg.model.tree import Mention, TreeUnit
+from foon_kg.model.tree import Mention, Step
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 
@@ -36,7 +36,7 @@ class Action:
     """A step: what has to hold before it, and what holds no more and what does after it."""
 
     name: str
-    unit: TreeUnit
+    unit: Step
     needs: list[str] = field(default_factory=list)
     ends: list[str] = field(default_factory=list)
     makes: list[str] = field(default_factory=list)
@@ -44,7 +44,7 @@ class Action:
 
 def has_numbers(result: PlanResult) -> bool:
     """Return whether every node of a plan's ``result`` has the number of a thing."""
-    mentions = [one for unit in result.units for one in (*unit.taken, *unit.made)]
+    mentions = [one for unit in result.units for one in (*unit.inputs, *unit.outputs)]
     return bool(mentions) and all(one.thing is not None for one in mentions)
 
 
@@ -59,7 +59,7 @@ class Kitchenful:
         self.things = _things(result.units, kitchen)
         self.forms: dict[ObjectNode, str] = {}
         self.begin: list[str] = []
-        last = {one.thing: place for place, unit in enumerate(result.units) for one in unit.taken}
+        last = {one.thing: place for place, unit in enumerate(result.units) for one in unit.inputs}
         digits = len(str(len(result.units)))
         self.actions: list[Action] = []
         for place, unit in enumerate(result.units):
@@ -72,8 +72,8 @@ class Kitchenful:
         self.end = self._end(result)
 
     def _take(self, action: Action, for_the_last_time: set[int | None]) -> None:
-        made = {one.thing for one in action.unit.made}
-        for one in action.unit.taken:
+        made = {one.thing for one in action.unit.outputs}
+        for one in action.unit.inputs:
             thing = self.things[one.thing or 0]
             if thing.form is None:
                 thing.form, thing.place = _form(one), one.container_thing
@@ -84,7 +84,7 @@ class Kitchenful:
                 thing.form = thing.place = None
 
     def _make(self, action: Action) -> None:
-        for one in action.unit.made:
+        for one in action.unit.outputs:
             thing = self.things[one.thing or 0]
             action.ends += self._facts(thing)
             thing.form, thing.place = _form(one), one.container_thing
@@ -101,7 +101,7 @@ class Kitchenful:
         return [f"(is {thing.name} {form})", f"{where})"]
 
     def _end(self, result: PlanResult) -> list[str]:
-        made = [one for unit in reversed(result.units) for one in unit.made if one.node == result.goal]
+        made = [one for unit in reversed(result.units) for one in unit.outputs if one.node == result.goal]
         facts = self._facts(self.things[made[0].thing or 0]) if made else []
         for thing in self.things.values():
             row = tables().utensil(thing.label)
@@ -110,10 +110,10 @@ class Kitchenful:
         return facts
 
 
-def _things(units: Sequence[TreeUnit], kitchen: Kitchen) -> dict[int, Thing]:
+def _things(units: Sequence[Step], kitchen: Kitchen) -> dict[int, Thing]:
     """Return every thing by its number, also one in which others only are said to be."""
     things: dict[int, Thing] = {}
-    mentions = [one for unit in units for one in (*unit.taken, *unit.made)]
+    mentions = [one for unit in units for one in (*unit.inputs, *unit.outputs)]
     for node, number, _ in mentions:
         if number is not None and number not in things:
             things[number] = _thing(number, node.label, FOOD if kitchen.is_food(node) else UTENSIL)

@@ -25,7 +25,7 @@ from foon_kg.formats.exports.phrases import (
     with_object,
 )
 from foon_kg.model import UNMEASURED, FunctionalUnit, Measures, ObjectNode
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.measures import measured_words
 
@@ -38,7 +38,7 @@ MOST_SAID = 1 << 12
 """For how many units it is kept how they are said: steps come again in many plans."""
 
 
-def sentence(unit: FunctionalUnit | TreeUnit, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
+def sentence(unit: FunctionalUnit | Step, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
     """Return one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop.
 
     ``kitchen`` tells foods from utensils.

@@ -15,7 +15,7 @@ from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import UNSEEN_SIGN, shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode, Sighting
 from foon_kg.model.claims import Substitution
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Step
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.shopping import shopping_list
 
@@ -84,7 +84,7 @@ def _stage(svg: str) -> str:
     return f'<div class="bar">{buttons}{hints}</div>{stage}'
 
 
-def _step(unit: TreeUnit, tree: ShownTree) -> str:
+def _step(unit: Step, tree: ShownTree) -> str:
     taken = " + ".join(_node(node, tree) for node in shown_inputs(unit.input_nodes))
     made = " + ".join(_node(node, tree) for node in shown_outputs(unit.output_nodes))
     seen = unit.seen_in[0] if unit.seen_in else None

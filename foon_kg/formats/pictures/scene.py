@@ -13,7 +13,7 @@ from typing import Literal
 
 from foon_kg.formats.views.words import shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode
-from foon_kg.model.tree import Mention, TreeUnit
+from foon_kg.model.tree import Mention, Step
 from foon_kg.plans.kitchen import Kitchen
 
 _KITCHEN = -1
@@ -34,7 +34,7 @@ class MotionBox:
     """A motion in the picture: the ``number`` of its step (from 1), and the ``tools`` that are folded into it."""
 
     number: int
-    unit: TreeUnit
+    unit: Step
     tools: tuple[str, ...]
 
 
@@ -46,7 +46,7 @@ class Scene:
     arrows: tuple[tuple[int, int], ...]
 
 
-def scene_of(units: Sequence[TreeUnit], goal: ObjectNode, kitchen: Kitchen, *, folded: bool = True) -> Scene:
+def scene_of(units: Sequence[Step], goal: ObjectNode, kitchen: Kitchen, *, folded: bool = True) -> Scene:
     """Return the scene of a tree that makes ``goal``, whose ``units`` are in the order of execution.
 
     ``folded`` leaves out what a person does not look for: utensils of the ``kitchen`` are named within the motion,
@@ -98,15 +98,15 @@ def foods_of(scene: Scene, kitchen: Kitchen) -> tuple[frozenset[str], ...]:
     return tuple(map(of_box, scene.boxes))
 
 
-def _taken(unit: TreeUnit) -> tuple[Mention, ...]:
-    return tuple(dict.fromkeys(one._replace(container_thing=None) for one in unit.taken))
+def _taken(unit: Step) -> tuple[Mention, ...]:
+    return tuple(dict.fromkeys(one._replace(container_thing=None) for one in unit.inputs))
 
 
-def _made(unit: TreeUnit) -> tuple[Mention, ...]:
-    return tuple(dict.fromkeys(one._replace(container_thing=None) for one in unit.made))
+def _made(unit: Step) -> tuple[Mention, ...]:
+    return tuple(dict.fromkeys(one._replace(container_thing=None) for one in unit.outputs))
 
 
-def _takings(units: Sequence[TreeUnit]) -> list[dict[Mention, int]]:
+def _takings(units: Sequence[Step]) -> list[dict[Mention, int]]:
     """Return for every unit which unit made each of its inputs last."""
     made: dict[Mention, int] = {}
     takings = []
@@ -116,7 +116,7 @@ def _takings(units: Sequence[TreeUnit]) -> list[dict[Mention, int]]:
     return takings
 
 
-def _shown_inputs(unit: TreeUnit, kitchen: Kitchen) -> list[Mention]:
+def _shown_inputs(unit: Step, kitchen: Kitchen) -> list[Mention]:
     shown = [node for node in shown_inputs(unit.input_nodes) if not _is_tool(node, kitchen)]
     return [one for one in _taken(unit) if one.node in shown]
 
@@ -126,7 +126,7 @@ def _is_tool(node: ObjectNode, kitchen: Kitchen) -> bool:
 
 
 def _keep_connected(
-    units: Sequence[TreeUnit],
+    units: Sequence[Step],
     takings: Sequence[dict[Mention, int]],
     shown: list[list[Mention]],
     goal: ObjectNode,
@@ -144,7 +144,7 @@ def _keep_connected(
 
 @dataclass
 class _Drawing:
-    units: Sequence[TreeUnit]
+    units: Sequence[Step]
     goal: ObjectNode
     kitchen: Kitchen
     takings: Sequence[dict[Mention, int]]

@@ -9,7 +9,7 @@ from typing import Self
 from foon_kg.formats.views.lives import lives
 from foon_kg.model import ObjectNode, RequiredIngredient, Subgraph, steps_of
 from foon_kg.model.claims import Substitution
-from foon_kg.model.tree import TreeUnit, leaves_of
+from foon_kg.model.tree import Step, leaves_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine, progress_lines
 from foon_kg.plans.result import PlanResult
@@ -24,7 +24,7 @@ class ShownTree:
     """
 
     title: str
-    units: tuple[TreeUnit, ...]
+    units: tuple[Step, ...]
     goal: ObjectNode
     kitchen: tuple[ObjectNode, ...]
     lines: tuple[ProgressLine, ...]
@@ -43,7 +43,7 @@ class ShownTree:
         Unless the ``goal`` is known, it is the last output that is marked as one, else the first of the last unit.
         """
         units = tuple(
-            replace(TreeUnit.of(step.unit, "foon", step.seen_in), measures=note.measures)
+            replace(Step.of_unit(step.unit, "foon", step.seen_in), measures=note.measures)
             for note, step in zip(subgraph.annotations, steps_of(subgraph), strict=True)
         )
         outputs = [one for note in subgraph.annotations for one in note.unit.outputs]
@@ -80,7 +80,7 @@ def _named_lines(result: PlanResult) -> tuple[ProgressLine, ...]:
 
 
 def _lines_of_leaves(
-    units: tuple[TreeUnit, ...], goal: ObjectNode, leaves: tuple[ObjectNode, ...]
+    units: tuple[Step, ...], goal: ObjectNode, leaves: tuple[ObjectNode, ...]
 ) -> tuple[ProgressLine, ...]:
     kitchen = Kitchen.default()
     foods = dict.fromkeys(node.label for node in leaves if kitchen.is_food(node) and not kitchen.is_free(node.label))

@@ -33,7 +33,7 @@ from foon_kg.formats.views.words import (
 )
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.claims import Substitution
-from foon_kg.model.tree import TreeUnit, things_found
+from foon_kg.model.tree import Step, things_found
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine
 from foon_kg.plans.result import PlanResult
@@ -159,7 +159,7 @@ def _plain_header(tree: ShownTree) -> RenderableType:
     return table
 
 
-def _sentences(units: Sequence[TreeUnit], unseen: frozenset[str]) -> Table:
+def _sentences(units: Sequence[Step], unseen: frozenset[str]) -> Table:
     """Return each step as a sentence for a cook."""
     kitchen = Kitchen.default()
     table = Table.grid(padding=(0, 1))
@@ -180,7 +180,7 @@ def _marked(told: str, unseen: frozenset[str]) -> str:
     return told
 
 
-def _with_source(text: Text, unit: TreeUnit) -> Text:
+def _with_source(text: Text, unit: Step) -> Text:
     if unit.origin == "foon" or not unit.seen_in:
         return text
     alone = unit.grounding == "motion" and any(map(Kitchen.default().is_food, unit.input_nodes))
@@ -188,7 +188,7 @@ def _with_source(text: Text, unit: TreeUnit) -> Text:
     return text.append(f"  [{how} {unit.seen_in[0].video}]", ASIDE)
 
 
-def _units(units: Sequence[TreeUnit], unseen: frozenset[str]) -> Table:
+def _units(units: Sequence[Step], unseen: frozenset[str]) -> Table:
     table = Table.grid(padding=(0, 1))
     table.add_column(justify="right", style=ASIDE)
     told: set[tuple[str, tuple[str, ...]]] = set()
@@ -197,7 +197,7 @@ def _units(units: Sequence[TreeUnit], unseen: frozenset[str]) -> Table:
     return table
 
 
-def _step(unit: TreeUnit, unseen: frozenset[str], told: set[tuple[str, tuple[str, ...]]]) -> Text:
+def _step(unit: Step, unseen: frozenset[str], told: set[tuple[str, tuple[str, ...]]]) -> Text:
     """Return what goes in, what is done and what comes out; what something holds is told once (``told``)."""
 
     def words(node: ObjectNode) -> Text:

@@ -16,7 +16,7 @@ from foon_kg.model import Goal, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.claims import Assumption
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.knowledge import KnowledgeView, Vocabulary
-from foon_kg.model.tree import TreeUnit, leaves_of
+from foon_kg.model.tree import Step, leaves_of
 from foon_kg.planning.paper.final import construct_final_task_tree, made_for
 from foon_kg.planning.paper.reference import MOST_PATHS, Knowledge, identify_goal_node, retrieve_reference_task_tree
 from foon_kg.plans.kitchen import Kitchen
@@ -86,7 +86,7 @@ def _goals_of(recipe: Recipe, view: KnowledgeView, vocabulary: Vocabulary) -> Se
     return goals
 
 
-def _assumptions(leaves: Sequence[ObjectNode], units: Sequence[TreeUnit], kitchen: Kitchen) -> Iterator[Assumption]:
+def _assumptions(leaves: Sequence[ObjectNode], units: Sequence[Step], kitchen: Kitchen) -> Iterator[Assumption]:
     for node in leaves:
         taker = next(unit for unit in units if node in unit.input_nodes)
         fault = kitchen.leaf_fault(node, [other for other in taker.input_nodes if other != node])

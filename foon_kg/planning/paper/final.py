@@ -10,7 +10,7 @@ from foon_kg.model.claims import Alternative, Substitution, SubstitutionKind
 from foon_kg.model.errors import NoTreeError
 from foon_kg.model.knowledge import Neighbour, Vocabulary
 from foon_kg.model.names import canonical
-from foon_kg.model.tree import Step, TreeUnit
+from foon_kg.model.tree import Mention, Step
 from foon_kg.planning.paper.reference import Knowledge
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.search import NoWayError, ReferenceTree, SearchProblem, retrieve
@@ -34,7 +34,7 @@ class FinalTree:
     """The units that make ``goal``, in the order of execution, and what was substituted in them."""
 
     goal: ObjectNode
-    units: tuple[TreeUnit, ...] = ()
+    units: tuple[Step, ...] = ()
     substitutions: tuple[Substitution, ...] = ()
 
 
@@ -71,20 +71,20 @@ def construct_final_task_tree(
     Raises NoTreeError where nothing is left of the tree.
     """
     kitchen, goal = knowledge.kitchen, reference.goal
-    units = [TreeUnit.of(known.unit, "foon", known.seen_in) for known in reference.units]
+    units = [Step.of_unit(known.unit, "foon", known.seen_in) for known in reference.units]
     nodes = {node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)}
     there = {(canonical(node.label), state) for node in nodes for state in (*node.states, "")}
     place = _connecting(units, goal, kitchen)
-    before, substitutions = list[TreeUnit](), list[Substitution]()
+    before, substitutions = list[Step](), list[Substitution]()
     for want, food in made.items():
         if (canonical(want.object), want.state) not in there:
             subtree = _subtree(knowledge, want, food)
             before += subtree.units
             substitutions += subtree.substitutions
             units, goal = _connected(units, place, subtree.goal, goal, kitchen)
-    distinct = dict[object, TreeUnit]()
+    distinct = dict[object, Step]()
     for unit in (*before, *units):
-        distinct.setdefault(unit.step, unit)
+        distinct.setdefault((unit.inputs, unit.motion, unit.outputs), unit)
     whole = FinalTree(goal, tuple(distinct.values()), tuple(dict.fromkeys(substitutions)))
     return _without_others(whole, {canonical(want.object) for want in made}, kitchen)
 
@@ -117,12 +117,12 @@ def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood) -> 
     except NoWayError:
         return FinalTree(bare)
     motion = _motion_instead(want, food, knowledge.vocabulary)
-    found, units = list(food.substitutions), list[TreeUnit]()
+    found, units = list(food.substitutions), list[Step]()
     for known in tree.units:
-        unit = TreeUnit.of(known.unit, "foon", known.seen_in)
+        unit = Step.of_unit(known.unit, "foon", known.seen_in)
         now = _changed(unit, lambda node: _renamed(node, want, food))
         if motion is not None and motion != unit.motion and _gives(unit, food):
-            now = replace(now, step=replace(now.step, motion=motion))
+            now = replace(now, motion=motion)
             like = _nearest(motion, [unit.motion], knowledge.similarity)
             found.append(_substitution("motion", want, motion, like))
         units.append(now if now == unit else replace(now, origin="adapted"))
@@ -148,7 +148,7 @@ def _usual_motion(state: str, vocabulary: Vocabulary) -> str | None:
     return min(rows)[1] if rows else None
 
 
-def _gives(unit: TreeUnit, food: MadeFood) -> bool:
+def _gives(unit: Step, food: MadeFood) -> bool:
     """Whether ``unit`` is what brings ``food`` into its state."""
     before, after = (
         any(node.label == food.label and food.state in node.states for node in side)
@@ -169,16 +169,17 @@ def _renamed(node: ObjectNode, want: RequiredIngredient, food: MadeFood) -> Obje
     )
 
 
-def _changed(unit: TreeUnit, change: Callable[[ObjectNode], ObjectNode | None]) -> TreeUnit:
+def _changed(unit: Step, change: Callable[[ObjectNode], ObjectNode | None]) -> Step:
     """Return ``unit`` with each node changed, or left out where the change is ``None``."""
     inputs, outputs, moving = (
-        tuple(dict.fromkeys(new for node in nodes if (new := change(node)) is not None))
+        dict.fromkeys(new for node in nodes if (new := change(node)) is not None)
         for nodes in (unit.input_nodes, unit.output_nodes, unit.moving)
     )
-    return replace(unit, step=Step.of(inputs, unit.motion, outputs), moving=frozenset(moving))
+    before, after = (tuple(map(Mention, nodes)) for nodes in (inputs, outputs))
+    return replace(unit, inputs=before, outputs=after, moving=frozenset(moving))
 
 
-def _connecting(units: Sequence[TreeUnit], goal: ObjectNode, kitchen: Kitchen) -> int:
+def _connecting(units: Sequence[Step], goal: ObjectNode, kitchen: Kitchen) -> int:
     """Return the place of the unit that foods are connected to: see :func:`construct_final_task_tree`."""
     places = range(len(units) - 1, -1, -1)
     several = [place for place in places if sum(map(kitchen.is_food, units[place].input_nodes)) > 1]
@@ -188,8 +189,8 @@ def _connecting(units: Sequence[TreeUnit], goal: ObjectNode, kitchen: Kitchen) -
 
 
 def _connected(
-    units: Sequence[TreeUnit], place: int, food: ObjectNode, goal: ObjectNode, kitchen: Kitchen
-) -> tuple[list[TreeUnit], ObjectNode]:
+    units: Sequence[Step], place: int, food: ObjectNode, goal: ObjectNode, kitchen: Kitchen
+) -> tuple[list[Step], ObjectNode]:
     """Return ``units`` with ``food`` as one more input of the unit at ``place``, and the goal that comes of it.
 
     Each product or filled vessel that this unit makes, and that is made of those, has it among its ingredients.
@@ -204,19 +205,18 @@ def _connected(
                     having[node] = replace(node, ingredients=(*node.ingredients, food.label))
         now = _changed(unit, lambda node: having.get(node, node))
         if len(result) == place:
-            step = Step.of((*now.input_nodes, food), now.motion, now.output_nodes)
-            now = replace(now, step=step, moving=now.moving | {food})
+            now = replace(now, inputs=(*now.inputs, Mention(food)), moving=now.moving | {food})
         result.append(now)
     return result, having.get(goal, goal)
 
 
-def _is_product(node: ObjectNode, unit: TreeUnit, kitchen: Kitchen) -> bool:
+def _is_product(node: ObjectNode, unit: Step, kitchen: Kitchen) -> bool:
     """Whether an output is a food that no input is called or has among its ingredients: dough, broth."""
     names = {name for other in unit.input_nodes for name in (other.label, *other.ingredients)}
     return kitchen.is_food(node) and node.label not in names
 
 
-def _with_products(required: Collection[str], units: Iterable[TreeUnit], kitchen: Kitchen) -> set[str]:
+def _with_products(required: Collection[str], units: Iterable[Step], kitchen: Kitchen) -> set[str]:
     """Return the names of the ``required`` foods and of the products that ``units`` make of them."""
     kept = set(required)
     for unit in units:
@@ -243,7 +243,7 @@ def _without_others(tree: FinalTree, required: Collection[str], kitchen: Kitchen
         return now if holds or stays(node.label) or node == tree.goal else None
 
     goal = bare(tree.goal) or tree.goal
-    needed, units = {goal}, list[TreeUnit]()
+    needed, units = {goal}, list[Step]()
     for unit in reversed(tree.units):
         now = _changed(unit, bare)
         fresh = set(now.output_nodes) - set(now.input_nodes)

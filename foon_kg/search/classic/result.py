@@ -11,7 +11,7 @@ from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.model import Annotation, FunctionalUnit, KnownUnit, ObjectNode, Participant, Subgraph
 from foon_kg.model.json_fields import Fields, JsonObject
 from foon_kg.model.node_json import node_from_json, node_to_json, sighting_from_json
-from foon_kg.model.tree import TreeUnit, leaves_of
+from foon_kg.model.tree import Step, leaves_of
 from foon_kg.model.tree_json import unit_to_json
 from foon_kg.search.classic.goal import GoalSought
 
@@ -25,7 +25,7 @@ class RetrievedUnit:
 
     def to_json(self) -> JsonObject:
         """Return one of the ``units`` of a result."""
-        told = TreeUnit.of(self.known.unit, "foon", self.known.seen_in)
+        told = Step.of_unit(self.known.unit, "foon", self.known.seen_in)
         unit = unit_to_json(told) | {"accepts_any": told.accepts_any}
         for side, nodes in (("input_nodes", told.input_nodes), ("output_nodes", told.output_nodes)):
             unit[side] = [node_to_json(node) | {"moving": node in told.moving} for node in nodes]
