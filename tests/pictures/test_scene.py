@@ -37,7 +37,7 @@ def test_what_is_made_has_the_phase_of_its_maker_and_what_is_taken_that_of_its_t
 
 def test_a_tree_without_phases_has_no_bands():
     plan = demo_plan("limeade")
-    plain = [unit.of(unit.as_unit(), "foon", unit.seen_in) for unit in plan.units]
+    plain = [unit.of_unit(unit.as_unit(), "foon", unit.seen_in) for unit in plan.units]
     assert phases_of(scene_of(plain, plan.goal, KITCHEN)) == ()
 
 

@@ -69,7 +69,7 @@ def test_a_plan_has_its_steps_as_sentences_and_as_objects(salad):
     assert len(salad) == len(salad.steps) == len(salad.result.units)
     assert str(salad).splitlines()[0] == f"1. {salad.steps[0].text}"
     assert all(step.text.endswith(".") for step in salad)
-    assert salad.goal in {node for step in salad for node in step.outputs}
+    assert salad.goal in {node for step in salad for node in step.output_nodes}
     assert salad.check().accepted
     assert salad.notes == ("“olive oil” names no state: taken as liquid",)
 
@@ -99,7 +99,7 @@ def test_wishes_are_kept(door):
     chosen = door.plan("salad", ["diced courgette", "olive oil"], substitute={"courgette": "cucumber"})
     assert "cucumber" in [one.equivalent for one in chosen.substitutions if one.kind == "object"]
     without = door.plan("salad", ASKED, avoid=["onion"])
-    assert "onion" not in {node.label for step in without for node in (*step.inputs, *step.outputs)}
+    assert "onion" not in {node.label for step in without for node in (*step.input_nodes, *step.output_nodes)}
     assert any("onion" in note for note in without.notes)
 
 

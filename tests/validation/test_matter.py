@@ -8,7 +8,6 @@ import pytest
 from validation.dishes import lines
 from validation.judging import found
 
-from foon_kg.model.tree import Step
 from foon_kg.validation import check
 from foon_kg.validation.notation import read_tree
 
@@ -144,8 +143,7 @@ def numbered(text, things):
 
     units = []
     for place, unit in enumerate(tree.units):
-        step = Step(side(unit.inputs, place), unit.motion, side(unit.outputs, place))
-        units.append(replace(unit, step=step))
+        units.append(replace(unit, inputs=side(unit.inputs, place), outputs=side(unit.outputs, place)))
     return replace(tree, units=tuple(units))
 
 
