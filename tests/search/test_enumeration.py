@@ -3,12 +3,25 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import pytest
+from examples import examples
 from hypothesis import given, settings
+from hypothesis import strategies as st
+from search.paths_by_definition import paths_by_definition
 from search.test_exactness import NODES, PATHS, answer, deep_problems, problems, unit
 
 from foon_kg.search import SearchProblem, UnitIndex, enumerate_paths, with_gaps_of
+
+
+@examples(80)
+@given(problems() | deep_problems() | problems(max_units=14, max_nodes=10), st.sampled_from([0, 1, 3, 10, 50, PATHS]))
+def test_trees_their_order_and_what_was_looked_at_are_those_of_the_definition(problem, limit):
+    trees, complete, looked_at = paths_by_definition(problem, limit)
+    found = enumerate_paths(problem, limit=limit)
+    assert (found.complete, found.looked_at) == (complete, looked_at)
+    assert [replace(tree, exact=False) for tree in found.found] == trees
 
 
 @pytest.mark.slow
@@ -61,3 +74,13 @@ def test_it_looks_at_no_more_combinations_than_allowed_and_says_whether_these_we
 def test_a_tree_that_was_found_before_all_were_looked_at_is_not_called_the_best():
     for limit, problem in itertools.product(range(1, 7), [wide(7)]):
         assert not any(tree.exact for tree in enumerate_paths(problem, limit=limit).trees)
+
+
+def test_what_a_later_choice_needs_of_an_earlier_one_is_seen_when_that_goes_in_circles():
+    goal, first, second, below, there = NODES[:5]
+    units = [unit([first, second], [goal]), unit([below], [first]), unit([first], [second])]
+    units += [unit([second], [below]), unit([there], [below])]
+    problem = SearchProblem(UnitIndex.of(units, at_hand={there}.__contains__), (goal,))
+    found = enumerate_paths(problem, limit=PATHS)
+    assert (len(found.trees), found.looked_at) == (1, 2)
+    assert units[3] not in found.trees[0].units
