@@ -36,7 +36,6 @@ def test_what_is_no_address_is_no_link(source, linked):
 @pytest.fixture
 def opened(browser, page):
     as_usual(browser)
-    browser.get("about:blank")
     browser.get_log("browser")
     browser.get(page.as_uri())
     drawn(browser)

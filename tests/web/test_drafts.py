@@ -20,7 +20,7 @@ from foon_kg.web.foon import FixedFoon
 BISCUITS = {"dish_type": "cookie", "ingredients": ["flour", "butter", "sugar"]}
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def drafted():
     return app(foon=FixedFoon(demo_foon(), lessons_of([COOKIE])))
 

@@ -41,7 +41,8 @@ def calm(browser, scheme="light"):
 
 
 def begin(browser, address, asked=""):
-    browser.get("about:blank")
+    if asked:
+        browser.get("about:blank")  # else what is the same up to “#” would not be loaded anew
     browser.get_log("browser")
     browser.get(f"{address}/explore{asked}")
     settled(browser)

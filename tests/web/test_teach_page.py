@@ -47,7 +47,6 @@ def page(browser, address, tmp_path):
 
 
 def begin(browser, address):
-    browser.get("about:blank")
     browser.get_log("browser")
     browser.get(f"{address}/teach")
 
