@@ -47,6 +47,14 @@ WRITES = r"(?: -o| --output| --report| --html| --scores-to| >) ([^-\s]\S*)"
 """What stands before the name of a file that a command writes."""
 
 
+@pytest.fixture(scope="module", autouse=True)
+def one_core():
+    """How many processes there are changes no answer, as others test; here each would take a second to start."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("foon_kg.planning.batch.cores", lambda: 1)
+        yield
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory, emptied_server: ConnectionSettings):
     """A folder with each file that the pages name, and a graph that holds the demo and two recipes."""

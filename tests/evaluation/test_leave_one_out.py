@@ -14,6 +14,7 @@ from foon_kg.evaluation.left_out_video import left_out_video
 from foon_kg.evaluation.methods import METHODS, OURS, SameName
 from foon_kg.evaluation.tree_overlap import Overlap
 from foon_kg.loaders import write_text
+from foon_kg.planning.batch import MANY
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 
@@ -90,10 +91,9 @@ def folder(tmp_path_factory):
     return folder
 
 
-def evaluate(folder, *arguments):
-    return CliRunner().invoke(
-        app, ["evaluate", "leave-one-out", "--files", str(folder), "--jobs", "1", *map(str, arguments)]
-    )
+def evaluate(folder, *arguments, jobs=1):
+    words = ["evaluate", "leave-one-out", "--files", folder, "--jobs", jobs, *arguments]
+    return CliRunner().invoke(app, list(map(str, words)))
 
 
 @pytest.mark.slow
@@ -111,6 +111,12 @@ def test_figures_are_the_means_of_the_videos_and_a_comparison_with_itself_change
     shown = evaluate(folder, "--compare", old)
     assert "nothing changed" in shown.stdout
     assert f"{100 * ours:.1f} %" in shown.stdout
+
+
+@pytest.mark.slow
+def test_two_processes_find_the_figures_that_one_finds(folder):
+    assert len(SALADS) >= MANY  # of fewer they would be found in this process
+    assert evaluate(folder, "--json", jobs=2).stdout_bytes == evaluate(folder, "--json").stdout_bytes
 
 
 def test_a_sample_is_drawn_from_each_dish_type(folder):
