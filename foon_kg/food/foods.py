@@ -16,7 +16,7 @@ from foon_kg.model.names import without_accents
 
 UNKNOWN = Kind("unknown", "Nothing is known of it.", sold_in="packet")
 _NOT_FOUND = (UNKNOWN.name, "", Match.UNKNOWN)
-_PACKED = "canned"
+_PACKED, _SLICED = "canned", "sliced"
 
 _WITH_BONES = re.compile(r"\b(?:bone|skin)[- ](?:in|on)\b,? ?| (?:on|off) the bone\b", re.IGNORECASE)
 
@@ -61,10 +61,11 @@ class FoodTable:
         return self._known[key]
 
     def as_measured(self, label: str, measures: Iterable[str]) -> str:
-        """Return the state that ``measures`` say of ``label``: canned of a can, a sprig of thyme; else ``""``."""
+        """Return the state that ``measures`` say of ``label``: canned of a can, sliced of slices; else ``""``."""
         said = frozenset(measures)
         for measured, states in (
             ("measures what is canned", {_PACKED}),
+            ("measures what is sliced", {_SLICED}),
             ("measures what grows", word_list("grows so")),
         ):
             if said & word_list(measured):

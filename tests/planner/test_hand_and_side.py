@@ -1,0 +1,110 @@
+"""What lies on dough or in rolls, eggs, vegetables and sauces are made as their titles call them."""
+
+from __future__ import annotations
+
+import pytest
+from planner.told_steps import first, inside, motions, states_of, taking
+
+from foon_kg.food import tables
+
+pytestmark = pytest.mark.shared_data
+
+
+def test_the_white_sauce_of_a_pizza_is_cooked_before_it_lies_on_the_dough(steps):
+    told = steps("pizza", "Chicken Alfredo Pizza", "pizza dough:whole", "butter:unmelted", "garlic:minced",
+                 "flour:powder", "heavy cream:creamy", "cooked chicken:shredded", "mozzarella:shredded")  # fmt: skip
+    assert {"butter", "flour", "heavy cream"} <= taking(told, "cook and stir")
+    assert first(told, "heavy cream", "cook and stir") < motions(told).index("bake")
+
+
+def test_cheese_that_a_burger_is_stuffed_with_is_closed_in_it(steps):
+    told = steps("burger", "Stuffed Blue Cheese Burgers", "ground beef:raw", "blue cheese:crumbled", "buns:whole",
+                 "salt:granulated")  # fmt: skip
+    assert "blue cheese" in taking(told, "fold and pinch")
+
+
+def test_raw_fish_is_chopped_for_a_burger_unless_the_burger_is_crisp(steps):
+    asked = ("salmon fillet:raw", "panko:crumbs", "egg:uncooked", "oil:liquid", "buns:whole")
+    assert "salmon fillet" in taking(steps("burger", "Salmon Burgers", *asked), "mix")
+    assert "salmon fillet" in taking(steps("burger", "Crispy Salmon Burgers", *asked), "dip")
+
+
+@pytest.mark.parametrize("meat", ["ground beef:raw", "ground turkey:raw"])
+def test_the_mince_of_a_sloppy_joe_is_not_shaped(steps, meat):
+    told = steps("burger", "Sloppy Joes", meat, "onion:chopped", "ketchup:sauce", "buns:plain")
+    assert "shape" not in motions(told)
+    assert {meat.split(":")[0], "ketchup"} <= taking(told, "cook and stir")
+
+
+def test_peppers_are_fried_for_the_roll_of_sausages_that_is_called_after_them(steps):
+    told = steps("sandwich", "Sausage and Pepper Hoagies", "hoagie rolls:whole", "Italian sausage:raw",
+                 "bell peppers:sliced", "onion:sliced", "olive oil:liquid")  # fmt: skip
+    assert {"bell peppers", "onion"} <= taking(told, "cook and stir")
+
+
+def test_nuts_are_chopped_into_patties_of_pulses(steps):
+    told = steps("burger", "Lentil Walnut Burgers", "lentils:dried", "walnuts:whole", "breadcrumbs:crumbs",
+                 "egg:uncooked", "oil:liquid", "buns:whole")  # fmt: skip
+    assert "walnuts" in inside(told, "mash")
+    assert "chopped" in states_of(told, "walnuts")
+
+
+def test_eggs_that_a_burger_is_called_after_are_fried_and_not_mixed_into_it(steps):
+    told = steps("burger", "Burgers with Fried Eggs", "ground beef:raw", "eggs:uncooked", "buns:plain",
+                 "salt:granulated")  # fmt: skip
+    assert "eggs" not in taking(told, "mix")
+    assert "eggs" in taking(told, "cook")
+
+
+def test_slices_of_turkey_are_bought_ready():
+    assert tables().foods.as_measured("turkey", ["slices"]) == "sliced"
+    assert tables().foods.as_measured("bread", ["slices"]) == ""
+
+
+def test_a_hole_is_cut_for_the_egg_before_its_slice_is_fried(steps):
+    told = steps("omelette", "Egg in a Hole", "bread:sliced", "butter:unmelted", "eggs:uncooked")
+    assert motions(told).index("core") < first(told, "bread", "cook") < first(told, "eggs", "cook")
+
+
+def test_scotch_eggs_are_wrapped_then_turned_in_egg_and_crumbs(steps):
+    told = steps("omelette", "Scotch Eggs", "eggs:uncooked", "sausage meat:raw", "flour:powder", "egg:beaten",
+                 "breadcrumbs:crumbs", "oil:liquid")  # fmt: skip
+    assert motions(told).index("wrap") < first(told, "egg", "dip") < first(told, "breadcrumbs", "dip")
+    assert "egg" not in taking(told, "boil")
+
+
+def test_boiled_eggs_lie_under_the_sauce_that_they_are_called_after(steps):
+    told = steps("omelette", "Eggs in Mustard Sauce", "eggs:uncooked", "butter:unmelted", "flour:powder",
+                 "milk:liquid",
+                 "mustard:creamy")  # fmt: skip
+    assert "eggs" in taking(told, "boil")
+    assert "eggs" not in taking(told, "beat") | taking(told, "cook and stir")
+
+
+def test_mushrooms_lose_their_stems_before_they_are_stuffed(steps):
+    told = steps("vegetables", "Stuffed Mushrooms", "mushrooms:whole", "sausage meat:raw", "cream cheese:block",
+                 "breadcrumbs:crumbs")  # fmt: skip
+    assert first(told, "mushrooms", "remove stem") < motions(told).index("bake")
+
+
+@pytest.mark.parametrize(
+    ("title", "food", "state"),
+    [("Zucchini Boats with Sausage", "zucchini", "halved"), ("Eggplant Rollatini", "eggplant", "sliced")],
+)
+def test_vegetables_are_cut_for_what_is_laid_on_them(steps, title, food, state):
+    told = steps("vegetables", title, f"{food}:whole", "sausage meat:raw", "ricotta:creamy", "marinara sauce:sauce",
+                 "mozzarella:shredded")  # fmt: skip
+    assert state in states_of(told, food)
+    assert "chopped" not in states_of(told, food)
+
+
+def test_a_salad_of_baked_potatoes_by_name_is_dressed_like_any(steps):
+    told = steps("salad", "Loaded Baked Potato Salad", "potatoes:whole", "bacon:raw", "sour cream:creamy",
+                 "cheddar:shredded")  # fmt: skip
+    assert {"potatoes", "sour cream"} <= taking(told, "mix")
+
+
+def test_what_is_roasted_for_a_salsa_is_blended(steps):
+    told = steps("sauce", "Roasted Tomatillo Salsa", "tomatillos:whole", "jalapeno:whole", "onion:whole",
+                 "cilantro:leaf")  # fmt: skip
+    assert motions(told).index("bake") < motions(told).index("blend")
