@@ -108,3 +108,28 @@ def test_what_is_roasted_for_a_salsa_is_blended(steps):
     told = steps("sauce", "Roasted Tomatillo Salsa", "tomatillos:whole", "jalapeno:whole", "onion:whole",
                  "cilantro:leaf")  # fmt: skip
     assert motions(told).index("bake") < motions(told).index("blend")
+
+
+def test_what_is_fried_in_meal_is_seasoned_with_the_meal(steps):
+    told = steps("vegetables", "Fried Okra", "okra:whole", "cornmeal:ground", "buttermilk:liquid", "egg:uncooked",
+                 "cayenne:ground", "oil:liquid", "salt:granulated")  # fmt: skip
+    assert {"cornmeal", "cayenne", "salt"} <= inside(told, "mix")
+
+
+def test_mince_of_a_taco_salad_is_seasoned_in_the_pan(steps):
+    told = steps("salad", "Taco Salad", "ground beef:raw", "taco seasoning:mixed", "iceberg lettuce:chopped",
+                 "tomatoes:diced", "cheddar:shredded")  # fmt: skip
+    assert {"ground beef", "taco seasoning"} <= taking(told, "cook and stir")
+
+
+def test_bread_is_served_with_eggs_that_set_in_a_sauce(steps):
+    told = steps("omelette", "Eggs in Purgatory", "olive oil:liquid", "onion:diced", "tomatoes:canned", "eggs:uncooked",
+                 "bread:loaf")  # fmt: skip
+    assert "bread" not in taking(told, "simmer") | taking(told, "cook")
+
+
+def test_artichokes_are_stuffed_whole(steps):
+    told = steps("vegetables", "Stuffed Artichokes", "artichokes:whole", "breadcrumbs:crumbs", "Parmesan:grated",
+                 "garlic:minced", "olive oil:liquid")  # fmt: skip
+    assert "artichokes" in taking(told, "bake")
+    assert "artichokes" not in taking(told, "dice") | taking(told, "mix")
