@@ -298,3 +298,70 @@ def test_slices_on_brown_sugar_lie_under_the_batter_of_white_sugar(steps):
                  "flour:ground", "baking powder:ground", "sugar:ground", "egg:whole raw", "milk:juice")  # fmt: skip
     assert {"pineapple", "brown sugar"}.isdisjoint(inside(told, "fold"))
     assert {"sugar", "flour", "egg"} <= inside(told, "fold")
+
+
+CAKE = ("flour:powder", "sugar:granulated", "cocoa:powder", "baking soda:powder", "oil:liquid", "water:liquid")
+
+
+def test_a_cake_is_cut_when_its_icing_is_on_it(steps):
+    icing = ("butter:melted:icing", "cocoa:powder:icing", "powdered sugar:powder:icing")
+    told = steps("cake", "Wacky Cake with Cocoa Icing", *CAKE, "vinegar:liquid", *icing)
+    spread = max(place for place, (taken, one, _) in enumerate(told) if one in {"spread", "pour"} and "cake" in taken)
+    assert all(place > spread for place, (_, one, _) in enumerate(told) if one == "cut")
+
+
+def test_whites_are_folded_into_the_batter_where_their_yolks_are_for_the_filling(steps):
+    batter = ("cake flour:powder", "baking powder:powder", "butter:softened", "sugar:granulated", "milk:liquid")
+    filling = ("egg yolks:uncooked:filling", "sugar:granulated:filling", "butter:unmelted:filling")
+    told = steps("cake", "Lane Cake", *batter, "egg whites:uncooked", *filling, "raisins:chopped:filling")
+    assert first(told, "egg whites", "fold") < motions(told).index("bake") < first(told, "egg yolks", "cook and stir")
+
+
+def test_butter_and_sugar_of_an_upside_down_cake_lie_under_its_fruit_and_make_its_batter(steps):
+    told = steps("cake", "Plum Upside-Down Cake", "butter:unmelted", "brown sugar:granulated", "plums:sliced",
+                 "flour:powder", "baking powder:powder", "butter:softened", "sugar:granulated", "eggs:uncooked",
+                 "milk:liquid")  # fmt: skip
+    assert "spread" not in motions(told)[motions(told).index("bake") :]
+    assert inside(told, "whisk") >= {"butter", "sugar", "eggs"}
+    assert first(told, "brown sugar", "pour") < first(told, "plums", "pour")
+
+
+def test_nuts_that_are_listed_once_more_at_the_end_come_on_a_batter(steps):
+    told = steps("cake", "Dundee Cake", "butter:softened", "sugar:granulated", "eggs:uncooked", "flour:powder",
+                 "almonds:ground", "currants:dried", "almonds:blanched")  # fmt: skip
+    assert any(one == "pour" and "almonds" in taken and outputs[0].label == "cake pan" for taken, one, outputs in told)
+
+
+def test_a_garnish_of_ground_nuts_comes_on_a_cake_when_it_is_done(steps):
+    told = steps("cake", "Revani", "eggs:uncooked", "sugar:granulated", "semolina:powder", "flour:powder",
+                 "sugar:granulated:syrup", "water:liquid:syrup", "pistachios:ground:garnish")  # fmt: skip
+    assert "pistachios" not in inside(told, "bake")
+
+
+def test_dough_in_pieces_is_turned_in_what_is_melted(steps):
+    told = steps("bread", "Bubble Loaf with Garlic", "bread flour:powder", "yeast:powder", "milk:warm",
+                 "butter:melted", "garlic:minced", "Parmesan:grated")  # fmt: skip
+    assert {"butter", "garlic", "Parmesan"}.isdisjoint(inside(told, "knead"))
+    assert motions(told).index("cut") < motions(told).index("dip") < motions(told).index("bake")
+
+
+def test_milk_and_butter_are_made_hot_for_a_cake_that_is_called_so(steps):
+    told = steps("cake", "Hot Milk Cake", "eggs:uncooked", "sugar:granulated", "flour:powder", "baking powder:powder",
+                 "milk:liquid", "butter:unmelted")  # fmt: skip
+    assert inside(told, "cook and stir") == {"milk", "butter"}
+
+
+def test_cereal_takes_up_its_boiling_water_before_it_comes_to_a_batter(steps):
+    told = steps("muffin", "Bran Muffins", "bran cereal:rolled", "water:boiling", "shortening:creamy",
+                 "sugar:granulated", "eggs:uncooked", "buttermilk:liquid", "flour:powder",
+                 "baking soda:powder")  # fmt: skip
+    assert inside(told, "stir") >= {"bran cereal", "water"}
+    assert first(told, "bran cereal", "stir") < first(told, "eggs", "blend")
+
+
+def test_dough_of_pinwheels_is_rolled_up_before_it_is_cut(steps):
+    told = steps("cookie", "Date Pinwheels", "dates:chopped", "water:liquid", "butter:softened", "sugar:granulated",
+                 "eggs:uncooked", "flour:powder")  # fmt: skip
+    assert motions(told).count("roll") == 2
+    assert "dates" in inside(told, "cook and stir")
+    assert motions(told).index("chill") < len(motions(told)) - motions(told)[::-1].index("cut")

@@ -188,14 +188,17 @@ class _Assigner:
                 self.taken[join.want.number] = request.line if request.foods.is_rest else ""  # else two of it: layers
 
     def assign_again(self, request: _Request) -> None:
-        """Put second portions there: those that the recipe lists for the same part as other foods of that line."""
+        """Put second portions there: those that the recipe lists for the same part as other foods of that line.
+
+        Of what it lists for any other part the table has to name that part: more of the pastry, for the lid.
+        """
         found = [join for join in self._meant(request) if self.taken.get(join.want.number) != request.line]
         beside = self._parts_in(request.line)
         said = [join for join in found if join.want.part in beside]
         for join in said:
             self._put(join, request)
         if not said:
-            self._assign_portions([join for join in found if not join.want.part], request)
+            self._assign_portions([join for join in found if _may_be_shared(join, request)], request)
 
     def _parts_in(self, line: str) -> set[str]:
         """Return for which parts of the dish, that are no lines, the recipe says that the foods of a line are."""
@@ -236,6 +239,11 @@ class _Assigner:
         """Put foods at a stage of a line of which the recipe says what is for it, unless that joins at this stage."""
         if not any(one.part is request.part and one.join.want.part in self.named_lines for one in self.once.values()):
             self.assign(request)
+
+
+def _may_be_shared(join: Join, request: _Request) -> bool:
+    """Whether a second portion of a food may be taken: it is for no part, or for the one that the table names."""
+    return not join.want.part or request.foods.state == f"for {join.want.part}"
 
 
 def _lies_below(want: Want) -> bool:

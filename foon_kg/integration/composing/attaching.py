@@ -80,12 +80,12 @@ def _attached_baked(line: Line, bakes: Sequence[int], target: Stage, at: str) ->
     """Return a line with ``target`` at its place, where it is baked at the places ``bakes``; as :func:`_attached`."""
     stages = line.stages
     mixed = [stage for stage in stages[: bakes[0]] if not stage.does.isdisjoint(MIXES)]
-    if mixed and at == "shaped":
-        return _attached_shaped(line, mixed[-1], target)
-    if at in {"before", "shaped"}:
-        return _attached_before(stages, bakes[-1], target)
-    if at == "again":
-        return _attached_again(stages, bakes[-1], target)
+    to_mixed = {"shaped": _attached_shaped, "folded": _attached_folded}
+    to_baked = {"before": _attached_before, "shaped": _attached_before, "again": _attached_again}
+    if mixed and at in to_mixed:
+        return to_mixed[at](line, mixed[-1], target)
+    if at in to_baked:
+        return to_baked[at](stages, bakes[-1], target)
     if at == "under":
         tin = stages[bakes[0]].vessel
         return line, next(stage for stage in stages if stage.vessel == tin), {}
@@ -134,6 +134,13 @@ def _attached_shaped(line: Line, mixing: Stage, target: Stage) -> tuple[Line, St
     return _with_next(line, shape, target, became), target, became
 
 
+def _attached_folded(line: Line, mixing: Stage, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
+    """Return a line in which what a stage mixes is mixed with ``target`` next, in the same vessel."""
+    target = replace(target, vessel=mixing.vessel, relation=mixing.relation, label=mixing.label or target.label)
+    became: dict[int, Stage] = {}
+    return _with_next(line, mixing, target, became), target, became
+
+
 def _attached_before(stages: Sequence[Stage], place: int, target: Stage) -> tuple[Line, Stage, dict[int, Stage]]:
     """Return stages with ``target`` on what is baked at a ``place``, before that, as :func:`_attached` does."""
     heat = stages[place]
@@ -152,14 +159,23 @@ def _attached_again(stages: Sequence[Stage], place: int, target: Stage) -> tuple
 
 def _attached_last(stages: Sequence[Stage], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
     """Return stages with ``target`` at their end, once the dish is done or cold, as :func:`_attached` does."""
-    rest = stages[-1:] if only_carries(stages[-1]) else ()
-    done = stages[: len(stages) - len(rest)]
-    if not target.vessel and is_ladled(stages[-1]):
+    target = _on_what_is_done(stages[-1], target)
+    cold = at == "cooled"
+    cut = stages[-1:] if cold and "cut" in stages[-1].does and not stages[-1].adds else ()
+    rest = stages[-1:] if only_carries(stages[-1]) and not cut else ()
+    done = stages[: len(stages) - len(rest) - len(cut)]
+    cool = (stage_of("cool"),) if cold and not (done and "wait" in done[-1].does) else ()
+    became = {id(one): replace(one, vessel=target.vessel, relation=target.relation) for one in cut}
+    return Line((*done, *cool, *rest, target, *became.values())), target, became  # it is cut with what lies on it
+
+
+def _on_what_is_done(last: Stage, target: Stage) -> Stage:
+    """Return ``target`` in the vessel in which it comes on a dish of which ``last`` is the last stage."""
+    if not target.vessel and is_ladled(last):
         target = replace(target, vessel=min(word_list("is eaten out of when it is ladled")))
-    if not target.vessel and stages[-1].vessel in word_list("is turned out of when it is baked"):
+    if not target.vessel and last.vessel in word_list("is turned out of when it is baked"):
         target = replace(target, vessel="plate", relation="on")  # nobody lifts a cake out from under its cream
-    cool = () if at != "cooled" or (done and "wait" in done[-1].does) else (stage_of("cool"),)
-    return Line((*done, *cool, *rest, target)), target, {}
+    return target
 
 
 def _folded(
@@ -175,13 +191,11 @@ def _folded(
     spot = other.spot
     cold = list(itertools.takewhile(lambda stage: not stage.heats, (spot.stage, *spot.after)))
     mixing = next((one for one in reversed(cold) if not one.does.isdisjoint(MIXES) and not one.does >= COATS), None)
-    became: dict[int, Stage] = {}
     if mixing is None:
         add = target.lines[0] if target.lines else Line((target,))
         whole, became = with_line(line, spot.stage, add)
         return whole, became[id(spot.stage)], became
-    target = replace(target, vessel=mixing.vessel, relation=mixing.relation, label=mixing.label or target.label)
-    return _with_next(line, mixing, target, became), target, became
+    return _attached_folded(line, mixing, target)
 
 
 def _other_part(side: Side, joins: Sequence[Join]) -> Join | None:
