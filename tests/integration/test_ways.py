@@ -192,11 +192,3 @@ def test_what_is_called_baked_is_baked_whole_cut_open_and_topped():
     assert by_way(line, joins, "mashed potato") == (line, joins)
     assert by_way(line, joins_at(line, 0, "potato/sliced", "butter"), "baked potato")[0] is line
     assert by_way(line, joins_at(line, 0, "potato", "milk"), "baked potato")[0] is line
-
-
-def test_what_is_called_twice_baked_is_mashed_in_between():
-    line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
-    joins = joins_at(line, 0, "potato", "milk", "butter", "cheddar/shredded")
-    assert told(*by_way(line, joins, "twice baked potato")) == [
-        ("bake", {"potato"}), ("peel", set()), ("mash", {"milk", "butter"}), ("bake", {"cheddar"}),
-    ]  # fmt: skip

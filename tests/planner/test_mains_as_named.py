@@ -96,7 +96,7 @@ def test_fries_for_serving_are_baked_by_themselves(steps):
 def test_potatoes_that_are_baked_twice_are_whole_the_first_time(steps):
     told = steps("potatoes", "Twice-Baked Potatoes", "potatoes:scrubbed", "butter:unmelted", "milk:liquid",
                  "cheddar:shredded")  # fmt: skip
-    assert motions(told).index("bake") < motions(told).index("mash")
+    assert motions(told).index("bake") < motions(told).index("mix")
     assert "chop" not in motions(told)
 
 

@@ -33,12 +33,19 @@ def as_long_as_needed(additions: Sequence[Addition], within: Sequence[Join]) -> 
 def tender_flesh_once(additions: Sequence[Addition], order: Sequence[str]) -> list[Addition]:
     """Return ``additions`` with flesh that is done soon among what is stirred in right after it: it is cooked once.
 
-    ``order`` are the phases of their vessel.
+    ``order`` are the phases of their vessel. A sauce alone, stirred beside it, comes to flesh that is fried.
     """
-    later = [one.phase for one in additions if one.phase in order[order.index(SOON) + 1 :]]
-    if set(later) != {LAST} or not any(one.phase == LAST and one.is_solid for one in additions):
+    later = [one for one in additions if one.phase in order[order.index(SOON) + 1 :]]
+    stirred_in = any(one.is_solid and one.facts is not None for one in later)
+    if not stirred_in or {one.phase for one in later} != {LAST}:
         return list(additions)
-    return [replace(one, phase=LAST) if one.phase == SOON and _is_raw_flesh(one) else one for one in additions]
+    return [_among_the_last(one) for one in additions]
+
+
+def _among_the_last(addition: Addition) -> Addition:
+    """Return raw flesh that is done soon among what is stirred in last; anything else as it is."""
+    raw = addition.phase == SOON and _is_raw_flesh(addition)
+    return replace(addition, phase=LAST) if raw else addition
 
 
 def _is_raw_flesh(addition: Addition) -> bool:

@@ -317,18 +317,18 @@ class _Phaser:
         return braised or any(_has_to_boil_here(join.want) for join in vessel.joins)
 
     def _thickened(self, additions: list[Addition], medium: Medium) -> list[Addition]:
-        """Return ``additions`` with a sauce that starch binds after what is fried for a moment, where they fry."""
+        """Return ``additions`` with a sauce that was stirred cold after what is fried for a moment, where they fry."""
         if not (medium.fat and medium.bath) or self.plan.one_pot:
             return additions
-        return thickened_at_last(additions, [one for one in additions if self._is_bound_sauce(one)])
+        return thickened_at_last(additions, [one for one in additions if self._is_cold_sauce(one)])
 
-    def _is_bound_sauce(self, addition: Addition) -> bool:
-        """Whether what comes was stirred cold with what binds it, and has no flesh in it."""
+    def _is_cold_sauce(self, addition: Addition) -> bool:
+        """Whether what comes was stirred cold with what binds or salts it, and has no flesh in it."""
         if not isinstance(addition.what, Line) or not _is_mixed_cold(addition.what):
             return False
         facts = [join.want.facts for join in self._foods(addition.what)]
-        binds = any(one.is_any(word_list("binds a sauce cold")) for one in facts)
-        return binds and not any(one.is_any(word_list("is flesh")) for one in facts)
+        sauce = any(one.is_any(word_list("makes a sauce cold")) for one in facts)
+        return sauce and not any(one.is_any(word_list("is flesh")) for one in facts)
 
     def _as_a_whole(self, additions: Sequence[Addition], within: Sequence[Join], *, bath: bool) -> list[Addition]:
         """Return ``additions`` with grain beside water, and eggs before rice and noodles, or after them in a sauce.
