@@ -11,6 +11,7 @@ with a ``// default: name=value`` may be left out.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cache
@@ -21,6 +22,7 @@ from typing import Literal, cast
 Mode = Literal["read", "write"]
 
 _MARK = "//"
+_MADE = re.compile(r"^CREATE .*?(?:CONSTRAINT|INDEX) (\w+)", re.MULTILINE)
 _FIELDS = ("param", "column", "mode", "scans", "example", "default")
 
 
@@ -69,6 +71,16 @@ def catalogue() -> tuple[NamedQuery, ...]:
 def schema_steps() -> tuple[NamedQuery, ...]:
     """Return the numbered files of ``schema/`` in their order; the number of files is the version of the schema."""
     return _folder("schema")
+
+
+def schema_parts() -> dict[str, str]:
+    """Return what makes each constraint and index of the schema, by its name.
+
+    >>> "object_key" in schema_parts(), "post_name" in schema_parts()
+    (True, False)
+    """
+    made = ((_MADE.search(step.text), step.text) for step in schema_steps())
+    return {found[1]: text for found, text in made if found}
 
 
 @cache

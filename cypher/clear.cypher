@@ -1,7 +1,7 @@
 // Takes the whole FOON away, its record apart. What recipes call for stays.
 // mode: write
 // scans: everything goes
-MATCH (n:Object|Label|Motion|Plan|Video|Verb|Frame|Line|Matter|Operator|Post|Slot|Stage|Utensil)
+MATCH (n:Object|Label|Motion|Plan|Video|Verb|Frame|Line|Matter|Operator|Slot|Stage|StageType|Utensil)
 DETACH DELETE n
 WITH count(n) AS gone
 CALL () {

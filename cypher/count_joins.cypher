@@ -1,15 +1,15 @@
-// Adds to the counts of how often foods of a kind join at a post, beside which other kinds, and by which motion they are
+// Adds to the counts of how often foods of a kind join at a type of stage, beside which other kinds, and by which motion they are
 // cooked before. What reaches nothing is forgotten.
-// param: posts LIST<MAP>
+// param: stage_types LIST<MAP>
 // param: beside LIST<MAP>
 // param: cooked LIST<MAP>
 // mode: write
 CALL () {
-  UNWIND $posts AS row
+  UNWIND $stage_types AS row
   MATCH (m:Matter {name: row.kind})
-  MERGE (p:Post {name: row.post})
-    ON CREATE SET p += row.properties
-  MERGE (m)-[r:JOINS_AT {dish_type: row.dish_type}]->(p)
+  MERGE (t:StageType {name: row.stage_type})
+    ON CREATE SET t += row.properties
+  MERGE (m)-[r:JOINS_AT {dish_type: row.dish_type}]->(t)
   SET r.count = coalesce(r.count, 0) + row.count
   WITH r WHERE r.count = 0
   DELETE r

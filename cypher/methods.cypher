@@ -6,7 +6,7 @@
 // column: brings
 // column: places
 // column: states
-// column: posts
+// column: stage_types
 // column: beside
 // column: cooked
 // column: frames
@@ -23,7 +23,10 @@ RETURN
   [o IN found | [(o)-[r:BRINGS]->(m) | [m.name, r.out_of, r.count]]] AS brings,
   [o IN found | [(o)-[r:DONE_IN]->(u) | [u.name, r.count]]] AS places,
   COLLECT { MATCH (m:Matter)-[:FOUND_AS]->(s:State) WITH m, collect(s.name) AS names RETURN [m.name, names] } AS states,
-  COLLECT { MATCH (k:Kind)-[r:JOINS_AT]->(p:Post) RETURN [k.name, r.dish_type, p.work, p.heated, p.joins, r.count] } AS posts,
+  COLLECT {
+    MATCH (k:Kind)-[r:JOINS_AT]->(t:StageType)
+    RETURN [k.name, r.dish_type, t.work, t.heated, t.joins, r.count]
+  } AS stage_types,
   COLLECT { MATCH (k:Kind)-[r:JOINS_BESIDE]->(other) RETURN [k.name, other.name, r.count] } AS beside,
   COLLECT { MATCH (k:Kind)-[r:COOKED_BY]->(v) RETURN [k.name, v.name, r.count] } AS cooked,
   COLLECT { MATCH (f:Frame) RETURN f.text } AS frames

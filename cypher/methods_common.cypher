@@ -9,7 +9,7 @@
 // column: appliances
 // column: brings
 // column: states
-// column: posts
+// column: stage_types
 // column: beside
 // column: cooked
 // mode: read
@@ -46,6 +46,9 @@ RETURN
     WITH m, collect(s.name) AS names
     RETURN [m.name, names]
   } AS states,
-  COLLECT { MATCH (k:Kind)-[r:JOINS_AT]->(p) RETURN [k.name, r.dish_type, p.work, p.heated, p.joins, r.count] } AS posts,
+  COLLECT {
+    MATCH (k:Kind)-[r:JOINS_AT]->(t)
+    RETURN [k.name, r.dish_type, t.work, t.heated, t.joins, r.count]
+  } AS stage_types,
   COLLECT { MATCH (k:Kind)-[r:JOINS_BESIDE]->(other) RETURN [k.name, other.name, r.count] } AS beside,
   COLLECT { MATCH (k:Kind)-[r:COOKED_BY]->(v) RETURN [k.name, v.name, r.count] } AS cooked

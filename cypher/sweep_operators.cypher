@@ -1,5 +1,5 @@
 // Takes away the operators that no unit attests any more, and what nothing speaks of: of the foods those that are named, all
-// kinds, forms, appliances, posts and utensils, and the matter that stands for anything.
+// kinds, forms, appliances, types of stages and utensils, and the matter that stands for anything.
 // param: foods LIST<STRING>
 // mode: write
 // scans: all but foods are few
@@ -12,7 +12,7 @@ CALL () {
   UNION ALL
   MATCH (m:Appliance|Kind|Form) WHERE NOT EXISTS { (m)--() } DELETE m
   UNION ALL
-  MATCH (p:Post) WHERE NOT EXISTS { (p)--() } DELETE p
+  MATCH (t:StageType) WHERE NOT EXISTS { (t)--() } DELETE t
   UNION ALL
   MATCH (u:Utensil) WHERE NOT EXISTS { (u)--() } DELETE u
 }

@@ -16,7 +16,6 @@ from __future__ import annotations
 import gc
 import json
 import os
-import re
 import shutil
 import tempfile
 from collections import Counter
@@ -34,7 +33,7 @@ from chromium import chromium
 from examples import examples
 from filelock import FileLock
 
-from foon_kg.cypher import schema_steps
+from foon_kg.cypher import schema_parts
 from foon_kg.model.errors import FoonError
 from foon_kg.store.graph import Connection, Neo4jGraph
 from foon_kg.store.server import ConnectionSettings, connection_from_environment
@@ -65,7 +64,7 @@ MANY_FILES = 4
 LONGEST_ID = 100
 """Characters of a parameter that a test is called by: one of four million was sent to each worker and back again."""
 
-OURS = {re.search(r"(?:CONSTRAINT|INDEX) (\w+)", step.text)[1]: step.text for step in schema_steps()}
+OURS = schema_parts()
 """The constraints and indexes of foon-kg by their names."""
 
 # a test never depends on how quick the machine is; what else Hypothesis has chosen for this place (CI) stays

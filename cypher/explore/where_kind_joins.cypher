@@ -8,8 +8,8 @@
 // column: times
 // column: dish_types
 // mode: read
-MATCH (:Kind {name: 'kind:' + $kind})-[r:JOINS_AT]->(p:Post)
-WITH p, r ORDER BY r.dish_type
-WITH p, sum(r.count) AS times, collect(r.dish_type) AS dish_types
-RETURN p.work AS work, p.heated AS heated, p.joins AS joins, times, dish_types
+MATCH (:Kind {name: 'kind:' + $kind})-[r:JOINS_AT]->(t:StageType)
+WITH t, r ORDER BY r.dish_type
+WITH t, sum(r.count) AS times, collect(r.dish_type) AS dish_types
+RETURN t.work AS work, t.heated AS heated, t.joins AS joins, times, dish_types
 ORDER BY times DESC, work, heated, joins

@@ -16,7 +16,7 @@ from typing import Any
 
 from neo4j import exceptions as driver_errors
 
-from foon_kg.cypher import schema_steps
+from foon_kg.cypher import schema_parts
 from foon_kg.food import tables
 from foon_kg.model.errors import FoonError, ServerError
 from foon_kg.model.kept import cache_folder
@@ -39,7 +39,6 @@ ROOM_TO_START, ROOM_TO_WORK = 500_000_000, 2_000_000_000
 
 _OWN_EXTRAS = ("dev", "benchmarks", "docs")
 _OTHERS_MAY_NOT = 0o077
-_MADE = re.compile(r"^CREATE .*?(?:CONSTRAINT|INDEX) (\w+)", re.MULTILINE)
 _ASK_FOR_LESS = "Such a question asks for less, or is not asked: nothing can end it but that."
 _SETTINGS = {
     "dbms.security.allow_csv_import_from_file_urls": ("false", "questions cannot read the server's files"),
@@ -291,12 +290,11 @@ def _late_indexes(session: Any) -> Iterator[Finding]:  # noqa: ANN401 - a driver
 def _lacking_indexes(session: Any) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session
     """Yield the constraints and indexes of the schema that are not there any more: what they speed up gets slow."""
     there = set(session.run("SHOW INDEXES YIELD name RETURN collect(name)").single()[0])
-    for step in schema_steps():
-        made = _MADE.search(step.text)
-        if made and made[1] not in there:
-            statement = " ".join(line for line in step.text.splitlines() if not line.startswith("//"))
+    for name, text in schema_parts().items():
+        if name not in there:
+            statement = " ".join(line for line in text.splitlines() if not line.startswith("//"))
             remedy = f"Make it again: foon cypher --write '{statement.strip()}'"
-            yield Finding("indexes", Level.FAULT, f"{made[1]} is not there any more", remedy)
+            yield Finding("indexes", Level.FAULT, f"{name} is not there any more", remedy)
 
 
 def _configured(session: Any) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session

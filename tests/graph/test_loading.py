@@ -253,3 +253,22 @@ def test_an_older_schema_is_brought_up_to_date_by_loading(connection, graph):
     load(connection, [salad])
     with graph.reading() as view:
         assert view.video_names() == ("salad",)
+
+
+def test_types_of_stages_that_an_older_schema_called_posts_are_named_anew(connection):
+    load(connection, [salad])
+    joins = "MATCH (k)-[r:JOINS_AT]->(t) RETURN labels(t), k.name, r.dish_type, r.count, t.name ORDER BY k.name, t.name"
+    now = ask(connection, joins)
+    for text in (
+        "MATCH (t:StageType) SET t:Post REMOVE t:StageType",
+        "DROP CONSTRAINT stage_type_name",
+        "CREATE CONSTRAINT post_name FOR (p:Post) REQUIRE p.name IS UNIQUE",
+        "MATCH (f:Foon) SET f.version = 29, f.methods = 'those of then'",
+    ):
+        ask_freely(connection, text, write=True)
+    load(connection, [salad])
+    assert now
+    assert ask(connection, joins) == now
+    assert ask(connection, "MATCH (p:Post) RETURN count(p)") == [(0,)]
+    named = "SHOW CONSTRAINTS YIELD name WHERE name IN ['post_name', 'stage_type_name'] RETURN name"
+    assert ask(connection, named) == [("stage_type_name",)]

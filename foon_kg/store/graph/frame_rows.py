@@ -157,8 +157,8 @@ class Joins:
     def rows(self) -> dict[str, list[dict[str, Any]]]:
         """Return the parameters of ``cypher/count_joins.cypher``: what changed, and not what was taken back again."""
         return {
-            "posts": [
-                {"kind": KIND + kind, "dish_type": dish_type, **_post(stage_type), "count": count}
+            "stage_types": [
+                {"kind": KIND + kind, "dish_type": dish_type, **_named(stage_type), "count": count}
                 for (kind, dish_type, stage_type), count in sorted(self.stages.items())
                 if count
             ],
@@ -179,9 +179,9 @@ class Joins:
         return {KIND + kind for kind, _, _ in self.stages}
 
 
-def _post(stage_type: StageType) -> Mapping[str, Any]:
-    """Return the ``Post`` of a stage type in the graph: its name, which no other has, and its parts as properties."""
+def _named(stage_type: StageType) -> Mapping[str, Any]:
+    """Return the ``StageType`` node of ``stage_type``: its name, which no other has, and its parts."""
     work, heated, joins = stage_type
-    return {"post": f"{work}, heated {heated}, {'joins' if joins else 'own'}"} | {
+    return {"stage_type": f"{work}, heated {heated}, {'joins' if joins else 'own'}"} | {
         "properties": {"work": work, "heated": heated, "joins": joins}
     }

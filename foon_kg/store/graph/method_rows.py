@@ -17,7 +17,7 @@ MatterValue = tuple[str, list[tuple[int, EvidenceValue]], list[tuple[int, str, i
 FrameReadValue = tuple[str, str, list[str]]
 """``[key, text, videos]`` of a frame; the videos are those that show a way to its goal."""
 
-PostCount = tuple[str, str, str, str, bool, int]
+StageTypeCount = tuple[str, str, str, str, bool, int]
 """``[kind, dish_type, work, heated, joins, count]``."""
 
 NearValue = tuple[str, int, float | None, list[str]]
@@ -65,7 +65,7 @@ class MethodsCommonRow(Row):
     appliances: list[tuple[int, str, EvidenceValue]]
     brings: list[tuple[int, str, str, int]]
     states: list[tuple[str, list[str]]]
-    posts: list[PostCount]
+    stage_types: list[StageTypeCount]
     beside: list[tuple[str, str, int]]
     cooked: list[tuple[str, str, int]]
 
@@ -95,7 +95,8 @@ class FramesReadRow(Row):
 class MethodsRow(Row):
     """What was learnt of a FOON, in no order. The first five columns have a value for each operator.
 
-    Of ``brings`` matter, role and count; of ``posts`` kind, dish type, the three parts of the post, and count.
+    Of ``brings`` matter, role and count; of ``stage_types`` kind, dish type, the three parts of the type,
+    and count.
     """
 
     operators: list[tuple[str, list[str]]]
@@ -104,7 +105,7 @@ class MethodsRow(Row):
     brings: list[list[tuple[str, str, int]]]
     places: list[Counted]
     states: list[tuple[str, list[str]]]
-    posts: list[PostCount]
+    stage_types: list[StageTypeCount]
     beside: list[tuple[str, str, int]]
     cooked: list[tuple[str, str, int]]
     frames: list[str]

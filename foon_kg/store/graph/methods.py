@@ -106,7 +106,7 @@ def _attest(evidence: Evidence, matter: str, units: int, seen: list[Sighting]) -
 def joining_counts_of(row: MethodsRow | MethodsCommonRow) -> JoiningCounts:
     """Return where foods of each kind join, from the counts in a ``row``."""
     counts = JoiningCounts((), tables())
-    for kind, dish_type, work, heated, joins, count in row.posts:
+    for kind, dish_type, work, heated, joins, count in row.stage_types:
         stage_type = StageType(work, heated, joins)
         for name in counts.names(kind.removeprefix(KIND)):
             for dish in (dish_type, ""):

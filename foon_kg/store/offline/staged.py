@@ -229,12 +229,12 @@ class Staged(StagedRecipes):
         self.count("Operator_DONE_IN_Utensil", places, "operator", "utensil")
         self.count("Matter_FOUND_AS_State", states, "matter", "state")
 
-    def count_joins(self, posts: Rows, beside: Rows, cooked: Rows) -> None:
-        """Add to the counts of where foods of a kind join (``posts``), ``beside`` what, and how ``cooked`` before."""
-        made = {row["post"]: row["properties"] for row in posts}
-        rows = ((name, post["work"], post["heated"], cell(post["joins"])) for name, post in made.items())
-        self.insert("Post", rows)
-        self.count("Matter_JOINS_AT_Post", posts, "kind", "post", "dish_type")
+    def count_joins(self, stage_types: Rows, beside: Rows, cooked: Rows) -> None:
+        """Add to the counts of at which ``stage_types`` kinds join, ``beside`` what, how ``cooked`` before."""
+        made = {row["stage_type"]: row["properties"] for row in stage_types}
+        rows = ((name, one["work"], one["heated"], cell(one["joins"])) for name, one in made.items())
+        self.insert("StageType", rows)
+        self.count("Matter_JOINS_AT_StageType", stage_types, "kind", "stage_type", "dish_type")
         self.count("Matter_JOINS_BESIDE_Matter", beside, "kind", "other")
         verbs = {name for name, _ in self.found("Verb", "name", {row["motion"] for row in cooked})}
         self.count("Matter_COOKED_BY_Verb", [row for row in cooked if row["motion"] in verbs], "kind", "motion")

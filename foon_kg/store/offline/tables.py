@@ -86,7 +86,7 @@ NODES = (
                        "most_changed:string")),
     Nodes("Matter", ("name:string", "kind:string", "canonical:string", "vector:double[]"), labelled=True),
     Nodes("Utensil", ("name:string",)),
-    Nodes("Post", ("name:string", "work:string", "heated:string", "joins:boolean")),
+    Nodes("StageType", ("name:string", "work:string", "heated:string", "joins:boolean")),
     Nodes(
         "Frame",
         ("key:string", "dish_type:string", "label:string", "foods:string[]", "kinds:string[]", "outline:string",
@@ -136,7 +136,7 @@ FOON_EDGES = (
     Edges("BRINGS", "Operator", "Matter", ("out_of:string", "count:long"), unique=(START, END, "out_of")),
     Edges("DONE_IN", "Operator", "Utensil", ("count:long",)),
     Edges("FOUND_AS", "Matter", "State", ("count:long",)),
-    Edges("JOINS_AT", "Matter", "Post", ("dish_type:string", "count:long"), unique=(START, END, "dish_type")),
+    Edges("JOINS_AT", "Matter", "StageType", ("dish_type:string", "count:long"), unique=(START, END, "dish_type")),
     Edges("JOINS_BESIDE", "Matter", "Matter", ("count:long",)),
     Edges("COOKED_BY", "Matter", "Verb", ("count:long",)),
     Edges("OF", "Frame", "Object"),
