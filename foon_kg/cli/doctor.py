@@ -27,9 +27,9 @@ def doctor(
     and what a Neo4j of others should set. Nothing is started, fetched or changed. Exit code 1 where something will not
     work.
     """
-    from foon_kg.foon import Foon
+    from foon_kg.foon import ThisMachine
 
-    found = list(Foon.examine(thorough=thorough))
+    found = list(ThisMachine.examine(thorough=thorough))
     if as_json:
         print_json([asdict(one) for one in found])
     else:

@@ -106,14 +106,14 @@ def text(
     video do: look at a draft with foon draft review, change it in any editor, load it with foon draft accept.
     Where a draft has no unit that is said, and the command fails (exit 1) when all are written.
     """
-    from foon_kg.foon import Foon
+    from foon_kg.foon import Drafting
 
     check_dish_types([dish] if dish is not None else [])
     for path in paths:
         if (other := _OTHER_WAYS.get(path.suffix.lower())) is not None:
             raise UsageError(f"{path}: is no text that says what to do", hint=other)
     say = sayer(quiet=quiet)
-    narrations = [Foon.narration(path, say=say) for path in paths]
+    narrations = [Drafting.narration(path, say=say) for path in paths]
     free = list(_with_free_names(narrations, output, force=force))  # all, before the first is drafted
     empty = _write(_drafts(free, files, say, dish), output, as_json=as_json)
     for path in empty:
@@ -214,7 +214,7 @@ def _drafts(
         say(f"{narration.source}: {narration.name} could not be drafted: {error!r}. The others are.")
 
     with Foon(whole_foon(files, say)) as foon:  # no connection stays open while the drafts are made
-        yield from foon.drafts(narrations, dish, tell_odd=tell_odd)
+        yield from foon.drafting.drafts(narrations, dish, tell_odd=tell_odd)
 
 
 def _write(drafts: Iterable[Draft], folder: Path, *, as_json: bool) -> list[Path]:

@@ -100,7 +100,7 @@ def _drafted(
         left = islice(collections, tally.recipes, None)
         with (
             front_door(files, say) as foon,
-            foon.drafts_of_recipes(left, jobs=jobs) as drafted,
+            foon.drafting.of_recipes(left, jobs=jobs) as drafted,
             adding(output, size) as add,
         ):
             for one in progress_bar(drafted, "Drafting recipes", total, tally.recipes, quiet=quiet):

@@ -78,7 +78,7 @@ def _one_draft(paths: Sequence[Path], recipe: str | None, output: Path | None) -
 def _show_drafts(
     paths: Sequence[Path], files: Sequence[Path] | None, *, worst_first: bool, as_json: bool, quiet: bool
 ) -> None:
-    from foon_kg.foon import Foon
+    from foon_kg.foon import Drafting
     from foon_kg.formats.views.difference import difference_json, difference_view
     from foon_kg.formats.views.draft import draft_json, draft_view
     from foon_kg.loaders.draft_tables import read_draft
@@ -87,7 +87,7 @@ def _show_drafts(
     found = {one.name: one for one in _differences(drafts, files, sayer(quiet=quiet))}
     answers = []
     for draft in drafts:
-        gaps = Foon.from_nowhere(draft)
+        gaps = Drafting.missing(draft)
         change = found[draft.subgraph.name] if draft.subgraph else None
         if as_json:
             answers.append(draft_json(draft, gaps) | {"difference": difference_json(change) if change else None})

@@ -78,19 +78,19 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
     seed give the same answer to the byte.
     """
     from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.foon import Foon
+    from foon_kg.foon import Evaluation, Foon
 
     say = sayer(quiet=quiet)
     check_dish_types(dish or ())
     options.check_places(scores_to=scores_to, html=html)
-    before = None if compare is None else Foon.earlier_evaluation(compare, "recipes")
-    sheet = None if scores is None else Foon.filled_sheet(scores)
+    before = None if compare is None else Evaluation.earlier(compare, "recipes")
+    sheet = None if scores is None else Evaluation.filled_sheet(scores)
     foon = Foon(whole_foon(files, say))
     planned = partial(_outcomes, foon, options.Run(output, jobs, dask, say, quiet, method))
     asked = _asked(paths or (), dish or (), sample, seed=seed, foon=foon, say=say)
-    found = _Found(foon.evaluate_recipes(asked, seed=seed, planned=planned), sheet, before)
+    found = _Found(foon.evaluation.recipes(asked, seed=seed, planned=planned), sheet, before)
     if scores_to is not None:
-        options.write_text(scores_to, Foon.score_sheet(found.evaluation), "--scores-to")
+        options.write_text(scores_to, Evaluation.sheet(found.evaluation), "--scores-to")
     if html is not None:
         options.write_text(html, found.report(), "--html")
     print_json(found.to_json()) if as_json else found.show()
@@ -103,10 +103,10 @@ def _asked(
     from foon_kg.foon import Foon
 
     if paths:
-        found = foon.recipes_to_evaluate(*paths, dish_types=dishes, sample=sample, seed=seed, noted=say)
+        found = foon.evaluation.recipes_of(*paths, dish_types=dishes, sample=sample, seed=seed, noted=say)
     else:
         with Foon.connect(say=say) as collection:
-            found = foon.loaded_to_evaluate(collection, dishes or DISH_TYPES, sample=sample, seed=seed)
+            found = foon.evaluation.loaded_recipes(collection.recipes, dishes or DISH_TYPES, sample=sample, seed=seed)
     if not found:
         raise UsageError("there is no such recipe", hint="Name other files or dish types; foon recipes counts them.")
     return found

@@ -78,6 +78,6 @@ def _evaluated(documents: Sequence[TreeDocument], snapshot: Snapshot, *, quiet: 
     from foon_kg.foon import Foon
 
     given = ((document.where, document.dish_type, document.tree) for document in documents)
-    return Foon(snapshot).evaluate_trees(
+    return Foon(snapshot).evaluation.trees(
         given, shown=lambda figures: progress_bar(figures, "Judging trees", len(documents), quiet=quiet)
     )

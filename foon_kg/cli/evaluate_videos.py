@@ -64,15 +64,15 @@ def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
     they were planned and however often a run with --output was stopped.
     """
     from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.foon import Foon
+    from foon_kg.foon import Evaluation, Foon
 
     check_dish_types(dish or [])
     options.check_places(html=html)
     say = sayer(quiet=quiet)
-    before = None if compare is None else Foon.earlier_evaluation(compare, "leave-one-out")
+    before = None if compare is None else Evaluation.earlier(compare, "leave-one-out")
     foon = Foon(whole_foon(files, say))
     compared = partial(_figures, foon, options.Run(output, jobs, dask, say, quiet))
-    evaluation = foon.leave_one_out(dish or (), sample=sample, seed=seed, compared=compared)
+    evaluation = foon.evaluation.leave_one_out(dish or (), sample=sample, seed=seed, compared=compared)
     value = evaluation.to_json()
     comparison = None if before is None else before.compared_with(value, seed)
     if html is not None:
@@ -103,7 +103,10 @@ def _figures(foon: Foon, run: options.Run, asked: Sequence[LeftOutVideo], method
         for number, (line, video) in enumerate(zip(done.lines if done else (), asked, strict=False), 1)
     ]
     keep = nullcontext(None) if done is None else done.going_on()
-    with foon.leaving_out(asked[len(found) :], methods, jobs=run.jobs, dask=run.dask) as answers, keep as add:
+    with (
+        foon.evaluation.leaving_out(asked[len(found) :], methods, jobs=run.jobs, dask=run.dask) as answers,
+        keep as add,
+    ):
         for figures in progress_bar(answers, "Leaving out videos", len(asked), len(found), quiet=run.quiet):
             found.append(figures)
             if add is not None:
@@ -128,5 +131,6 @@ def _write_report(path: Path, evaluation: LeaveOneOut, comparison: Comparison | 
     from foon_kg.formats.pictures.leave_one_out_report import leave_one_out_report
 
     whole = foon.snapshot()
-    report = leave_one_out_report(evaluation, comparison, whole.subgraphs, whole.kitchen, foon.plan_of_left_out)
+    planned = foon.evaluation.plan_of_left_out
+    report = leave_one_out_report(evaluation, comparison, whole.subgraphs, whole.kitchen, planned)
     options.write_text(path, report, "--html")

@@ -325,7 +325,7 @@ def _import(
     """Import ``files`` and ``recipes`` offline; what is odd is told when all are read, before anything is imported."""
     from foon_kg.cli.files_read import FilesRead, Gathered
     from foon_kg.cli.runs import counting
-    from foon_kg.foon import Foon
+    from foon_kg.foon import ThisMachine
     from foon_kg.loaders import read_paths
 
     say, gathered, read = sayer(quiet=quiet), Gathered(), list[FilesRead]()
@@ -340,7 +340,7 @@ def _import(
 
     with load_recipes.beside(recipes, bad_tolerance, say, quiet=quiet) as (stage, counts):
         with counting("Reading videos", len(files), quiet=quiet) as advance:
-            done = Foon.import_offline(subgraphs(), replace=replace, say=say, told=advance, beside=stage)
+            done = ThisMachine.import_offline(subgraphs(), replace=replace, say=say, told=advance, beside=stage)
         say("seconds: " + ", ".join(f"{part} {seconds}" for part, seconds in done.seconds.items()))
         return _counts(read[0], Counts(inserted=done.videos)) | counts
 

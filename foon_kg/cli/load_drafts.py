@@ -51,6 +51,6 @@ def drafts(
             Foon.connect(say=sayer(quiet=quiet)) as foon,
             counting("Loading drafts", sum(counts.values()), quiet=quiet) as advance,
         ):
-            stored = foon.store_drafts(read_drafted(paths), stored=lambda report: advance(len(report)))
+            stored = foon.drafting.store(read_drafted(paths), stored=lambda report: advance(len(report)))
         counts = asdict(stored)
     show_counts(counts, as_json=as_json)

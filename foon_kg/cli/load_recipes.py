@@ -198,10 +198,10 @@ def beside(
         counts = _usable(collections, paths, journal, bad_tolerance, say, quiet=quiet)
 
         def stage(staged: Staged) -> None:
-            from foon_kg.foon import Foon
+            from foon_kg.foon import Recipes
 
             with counting("Reading recipes", counts["recipes"], quiet=quiet) as advance:
-                stored = Foon.stage_recipes(
+                stored = Recipes.stage(
                     staged,
                     collections,
                     stored=lambda done: advance(len(done)),
@@ -261,7 +261,7 @@ def _load(
     from foon_kg.foon import Foon
 
     with Foon.connect(say=say) as foon, counting("Loading recipes", total, quiet=quiet) as advance:
-        return foon.store_recipes(
+        return foon.recipes.store(
             collections,
             full=full,
             stored=lambda report: advance(len(report)),

@@ -323,7 +323,7 @@ def _stored_recipes(ids: Sequence[str], dish_type: str | None, say: Say) -> list
     from foon_kg.foon import Foon
 
     with Foon.connect(say=say) as foon:
-        return [foon.recipe(recipe_id).asked(dish_type or "") for recipe_id in ids]
+        return [foon.recipes.get(recipe_id).asked(dish_type or "") for recipe_id in ids]
 
 
 def _looks_like_a_file(name: str) -> bool:

@@ -72,12 +72,14 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
                 settings = replace(settings, kitchen=kitchen_of(kitchen, door, run.say))
             if done.plan is not None:
                 number, told = done.plan
-                again = Question(given=collection.recipe(told["recipe"]["id"]).asked(dish_type))
+                again = Question(given=collection.recipes.get(told["recipe"]["id"]).asked(dish_type))
                 check_tree(run.output, number, told, door.answer(again, settings).outcome.to_json())
             if done.count == count:
                 return done.code
             code = done.code
-            questions = (Question(given=one.asked(dish_type)) for one in collection.recipes(dish_type, after=done.last))
+            questions = (
+                Question(given=one.asked(dish_type)) for one in collection.recipes.all(dish_type, after=done.last)
+            )
             with (
                 door.answers(questions, settings, count=count - done.count, jobs=run.jobs, dask=run.dask) as answers,
                 adding(run.output, done.size) as add,
@@ -92,7 +94,7 @@ def _still_ours(collection: Foon, dish_type: str, run: CollectionRun) -> tuple[D
     """Return what the file holds and how many recipes there are; raises UsageError where it is of other recipes."""
     output = run.output or Path()
     found = [Done(), *_read(output)]
-    count, until = collection.recipes_until(found[-1].last, dish_type)
+    count, until = collection.recipes.until(found[-1].last, dish_type)
     if not count:
         raise UsageError("the graph has no such recipe", hint="Load some: foon load recipes PATH", code="empty")
     if until != found[-1].count:

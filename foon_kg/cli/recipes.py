@@ -57,13 +57,13 @@ def recipes(
     with Foon.connect(say=sayer(quiet=quiet)) as foon:
         if sample:
             ids = _drawn(foon, dish, partition, sample, seed)
-            _show_recipes(list(map(foon.recipe, ids)), as_json=as_json)
+            _show_recipes(list(map(foon.recipes.get, ids)), as_json=as_json)
         elif recipe_id is not None:
-            _show_recipes([foon.recipe(recipe_id)], as_json=as_json)
+            _show_recipes([foon.recipes.get(recipe_id)], as_json=as_json)
         elif unseen:
-            _show_wanted(foon.wanted_foods(unseen), as_json=as_json)
+            _show_wanted(foon.recipes.wanted_foods(unseen), as_json=as_json)
         else:
-            _show_counts(*foon.recipe_counts(), as_json=as_json)
+            _show_counts(*foon.recipes.counts(), as_json=as_json)
 
 
 def _drawn(foon: Foon, dish: str | None, partition: str, count: int, seed: int) -> list[str]:
@@ -71,7 +71,7 @@ def _drawn(foon: Foon, dish: str | None, partition: str, count: int, seed: int) 
     from foon_kg.model.errors import UsageError
 
     check_dish_types([dish] if dish is not None else [])
-    ids = sorted({one for name in ([dish] if dish else DISH_TYPES) for one in foon.recipe_ids(name, partition)})
+    ids = sorted({one for name in ([dish] if dish else DISH_TYPES) for one in foon.recipes.ids(name, partition)})
     if not ids:
         part = f" in the part “{partition}”" if partition else ""
         hint = "foon recipes counts what there is; foon load recipes PATH loads more."

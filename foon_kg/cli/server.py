@@ -38,17 +38,17 @@ def start(
     It listens on this machine only, keeps its data in the user's data folder (FOON_KG_HOME names another), and stays up
     between commands. Every command that needs a database and finds no NEO4J_URI starts it by itself.
     """
-    from foon_kg.foon import Foon
+    from foon_kg.foon import ThisMachine
 
-    _show(Foon.start_server(port=port, idle_minutes=idle, say=sayer(quiet=quiet)), as_json=as_json)
+    _show(ThisMachine.start_server(port=port, idle_minutes=idle, say=sayer(quiet=quiet)), as_json=as_json)
 
 
 @app.command(epilog=examples("foon server stop"))
 def stop(*, as_json: Json = False, quiet: Quiet = False) -> None:
     """Stop the local Neo4j; its data stays."""
-    from foon_kg.foon import Foon
+    from foon_kg.foon import ThisMachine
 
-    stopped = Foon.stop_server(say=sayer(quiet=quiet))
+    stopped = ThisMachine.stop_server(say=sayer(quiet=quiet))
     if as_json:
         print_json({"stopped": stopped})
     elif not stopped:
@@ -61,9 +61,9 @@ def status(*, as_json: Json = False) -> None:
 
     Also where it answers, and where its data, password and log are.
     """
-    from foon_kg.foon import Foon
+    from foon_kg.foon import ThisMachine
 
-    _show(Foon.server_status(), as_json=as_json)
+    _show(ThisMachine.server_status(), as_json=as_json)
 
 
 def _show(now: Status, *, as_json: bool) -> None:

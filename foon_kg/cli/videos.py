@@ -86,7 +86,7 @@ def remove(
         _refuse_beside_drafts(videos)
     with front_door(None, sayer(quiet=quiet)) as foon:
         if drafts:
-            foon.remove_drafts(drafts, dry_run=dry_run)
+            foon.drafting.remove(drafts, dry_run=dry_run)
             show_counts({"drafts_to_go" if dry_run else "drafts_gone": len(drafts)}, as_json=as_json)
             return
         found = foon.remove(videos, dry_run=dry_run)

@@ -12,18 +12,21 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from foon_kg.foon.answering import WHOLE
-from foon_kg.foon.evaluating import Evaluating
+from foon_kg.foon.answering import WHOLE, Answering
 from foon_kg.foon.opened import Paths, listed
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
     from foon_kg.food.motion_costs import MotionCosts
+    from foon_kg.foon.collected import Recipes as Recipes
+    from foon_kg.foon.drafting import Drafting as Drafting
+    from foon_kg.foon.evaluating import Evaluation as Evaluation
+    from foon_kg.foon.machine import ThisMachine as ThisMachine
     from foon_kg.foon.plan import Plan as Plan
     from foon_kg.language.reviewing import Decision as Decision
     from foon_kg.language.reviewing import Kind as Kind
@@ -54,7 +57,6 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.plans.result import PlanResult
     from foon_kg.plans.stock import StockedKitchen
     from foon_kg.search.classic import RetrievalResult as RetrievalResult
-    from foon_kg.store.doctor import Finding
     from foon_kg.store.graph import GraphView
     from foon_kg.store.settings import ConnectionSettings as ConnectionSettings
     from foon_kg.store.snapshot import Snapshot as Snapshot
@@ -66,6 +68,8 @@ _HOMES = {
     "ConnectionSettings": "foon_kg.store.settings",
     "Considered": "foon_kg.planning.considered",
     "Decision": "foon_kg.language.reviewing",
+    "Drafting": "foon_kg.foon.drafting",
+    "Evaluation": "foon_kg.foon.evaluating",
     "Explanation": "foon_kg.planning.explanation",
     "IngredientWords": "foon_kg.planning.recipes",
     "Joining": "foon_kg.planning.explanation",
@@ -78,12 +82,14 @@ _HOMES = {
     "Question": "foon_kg.planning.batch",
     "ReadKitchen": "foon_kg.planning.kitchen_file",
     "Reason": "foon_kg.language.reviewing",
+    "Recipes": "foon_kg.foon.collected",
     "RetrievalResult": "foon_kg.search.classic",
     "Review": "foon_kg.language.reviewing",
     "Snapshot": "foon_kg.store.snapshot",
     "Step": "foon_kg.model.tree",
     "Substitute": "foon_kg.planning.settings",
     "Taken": "foon_kg.planning.suggestion",
+    "ThisMachine": "foon_kg.foon.machine",
     "WithDrafts": "foon_kg.store.with_drafts",
     "amount_said": "foon_kg.planning.recipes",
     "as_spelled": "foon_kg.planning.recipes",
@@ -99,7 +105,7 @@ def __getattr__(name: str) -> object:
     raise AttributeError(f"module foon_kg.foon has no attribute {name}")
 
 
-class Foon(Evaluating):
+class Foon(Answering):
     """A FOON to plan with: files in memory (:meth:`from_files`) or a Neo4j (:meth:`connect`).
 
     It is a context manager; :meth:`close` gives connections back.
@@ -338,18 +344,16 @@ class Foon(Evaluating):
             lambda view: as_planned(suggest(view, kitchen, most=most, time_limit=time_limit), view, kitchen)
         )
 
-    @staticmethod
-    def examine(*, thorough: bool = False) -> Iterator[Finding]:
-        """Yield what stands in the way of foon-kg on this machine, and what to do about it, as ``foon doctor`` does.
+    @property
+    def evaluation(self) -> Evaluation:
+        """What measures how good the plans of this FOON, and the trees of others, are.
 
-        ``thorough`` reads every file of the local Neo4j, too (some seconds). Nothing is started, fetched or written.
-
-        >>> next(Foon.examine()).subject
-        'Python'
+        >>> foon.evaluation.trees([("here", "salad", plan.result.tree)]).trees[0].report.accepted
+        True
         """
-        from foon_kg.store.doctor import examine
+        from foon_kg.foon.evaluating import Evaluation
 
-        return examine(thorough=thorough)
+        return Evaluation(self)
 
     def statistics(self) -> Statistics:
         """Return how much the FOON holds: videos, units, objects, goals. Neo4j counts its own, of any size.

@@ -9,7 +9,7 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from foon_kg.foon.drafting import Drafting
+from foon_kg.foon.changing import Changing
 from foon_kg.foon.opened import Paths
 
 if TYPE_CHECKING:  # every question imports what it needs
@@ -32,7 +32,7 @@ _MOST_KEPT = 8
 """For so many different settings what plans is kept ready: each holds what it has learnt of the whole FOON."""
 
 
-class Answering(Drafting):
+class Answering(Changing):
     """A FOON that answers questions of recipes with settings."""
 
     @cached_property

@@ -8,22 +8,46 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from foon_kg.foon.collected import Collected
-from foon_kg.foon.opened import Paths, Say, path_at, silent
+from foon_kg.foon.exploring import Exploring
+from foon_kg.foon.opened import Paths, path_at, silent
 from foon_kg.model.errors import ReadError
 from foon_kg.model.nodes import one_spelling
 
 if TYPE_CHECKING:  # every question imports what it needs
+    from foon_kg.food.motion_costs import MotionCosts
+    from foon_kg.foon.collected import Recipes
+    from foon_kg.foon.drafting import Drafting
     from foon_kg.model import Subgraph
     from foon_kg.plans.difference import VideoDifference
     from foon_kg.store.graph.free_cypher import Answer as CypherAnswer
     from foon_kg.store.graph.loading import LoadReport
-    from foon_kg.store.offline.importing import ImportReport
-    from foon_kg.store.offline.staged import Staged
+    from foon_kg.store.graph.weights import WeightsReport
 
 
-class Changing(Collected):
+class Changing(Exploring):
     """A FOON that can be asked in Cypher, loaded and changed, where it is in a Neo4j."""
+
+    @property
+    def recipes(self) -> Recipes:
+        """The recipes of collections that the Neo4j holds beside the videos.
+
+        >>> foon.recipes.get("limeade").title
+        'Limeade'
+        """
+        from foon_kg.foon.collected import Recipes
+
+        return Recipes(self)
+
+    @property
+    def drafting(self) -> Drafting:
+        """What drafts subgraphs of recipes and videos that are told in words, and keeps drafts in the Neo4j.
+
+        >>> foon.drafting.store([]).inserted
+        0
+        """
+        from foon_kg.foon.drafting import Drafting
+
+        return Drafting(self)
 
     def cypher(
         self,
@@ -43,7 +67,7 @@ class Changing(Collected):
         >>> foon.cypher("MATCH (v:Video) WHERE v.name STARTS WITH $x RETURN v.name", {"x": "greek"}).rows
         (('greek_salad',),)
         """
-        connection = self._connected("to be asked in Cypher")
+        connection = self.connection_for("to be asked in Cypher")
         from foon_kg.store.graph.free_cypher import ask_freely
 
         return ask_freely(connection, text, parameters, write=write, limit=limit, timeout=timeout)
@@ -80,7 +104,7 @@ class Changing(Collected):
         >>> len(foon.store(foon.snapshot().subgraphs[:2]).unchanged)
         2
         """
-        connection = self._connected("to load files")
+        connection = self.connection_for("to load files")
         from foon_kg.store.graph import load
 
         if not at_once:
@@ -100,27 +124,7 @@ class Changing(Collected):
         from foon_kg.plans.kitchen import Kitchen
         from foon_kg.store.graph.unchanged import all_there
 
-        return all_there(self._connected("to load files"), contents, Kitchen.default())
-
-    @staticmethod
-    def import_offline(
-        subgraphs: Iterable[Subgraph],
-        *,
-        replace: bool = False,
-        say: Say = silent,
-        told: Callable[[int], None] = silent,
-        beside: Callable[[Staged], None] | None = None,
-    ) -> ImportReport:
-        """Make ``subgraphs`` the FOON of foon-kg's own Neo4j by neo4j-admin's import: for very many of them.
-
-        A part of them is in memory at a time; ``told`` hears how many were read, ``say`` what is done. What comes in
-        ``beside`` them (:meth:`stage_recipes`) is staged when they are. Raises
-        ``UsageError`` where NEO4J_URI names another Neo4j, and where the server holds anything that is not to be
-        replaced (``replace``).
-        """
-        from foon_kg.store.offline.importing import load_offline
-
-        return load_offline(subgraphs, replace=replace, say=say, told=told, beside=beside)
+        return all_there(self.connection_for("to load files"), contents, Kitchen.default())
 
     def differences(self, subgraphs: Sequence[Subgraph]) -> Sequence[VideoDifference]:
         """Return what loading ``subgraphs`` would change, one by one: units that are new, known, as before or gone.
@@ -147,7 +151,7 @@ class Changing(Collected):
         >>> [(one.name, one.status.value) for one in foon.remove(["greek_salad"], dry_run=True)]
         [('greek_salad', 'removed')]
         """
-        connection = self._connected("to take videos out of")
+        connection = self.connection_for("to take videos out of")
         from foon_kg.store.graph import remove
         from foon_kg.store.graph.differences import losses
 
@@ -156,3 +160,14 @@ class Changing(Collected):
         if not dry_run:
             remove(connection, names)
         return found
+
+    def store_weights(self, costs: MotionCosts) -> WeightsReport:
+        """Store the ``costs`` of motions for a robot (0: always succeeds, 1: never), in place of all stored before.
+
+        >>> from foon_kg.food.motion_costs import MotionCosts
+        >>> foon.store_weights(MotionCosts({"chop": 0.9})).motions
+        1
+        """
+        from foon_kg.store.graph import load_weights
+
+        return load_weights(self.connection_for("for weights"), costs)

@@ -1,4 +1,4 @@
-"""What a FOON in a Neo4j has beside its videos: collections of recipes, drafts of recipes, and weights of motions.
+"""The collection of recipes that a FOON in a Neo4j has beside its videos.
 
 The examples are of a Neo4j that holds the demo's FOON and its recipes.
 """
@@ -8,91 +8,89 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from foon_kg.foon.exploring import Exploring
-from foon_kg.foon.opened import silent
+from foon_kg.foon.opened import Opened, silent
 from foon_kg.model.nodes import one_spelling
 
 if TYPE_CHECKING:  # every question imports what it needs
-    from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.language.collection import CollectionReader
     from foon_kg.model.collected import CollectedRecipe, UnderstoodRecipe
-    from foon_kg.model.drafted import DraftedRecipe
-    from foon_kg.store.graph.drafts import DraftsStored
     from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, WantedFoodRow
     from foon_kg.store.graph.recipes import RecipesStored, StoredRecipe, Understand
-    from foon_kg.store.graph.weights import WeightsReport
     from foon_kg.store.offline.staged import Staged
 
 
-class Collected(Exploring):
-    """A FOON whose Neo4j holds recipes, drafts and weights; one in files raises ``UsageError`` for all of these."""
+class Recipes:
+    """The recipes in the Neo4j of a FOON (``foon.recipes``); of one in files all of this raises ``UsageError``."""
 
-    def recipe(self, recipe_id: str) -> StoredRecipe:
+    def __init__(self, foon: Opened) -> None:
+        self._foon = foon
+
+    def get(self, recipe_id: str) -> StoredRecipe:
         """Return a recipe that was loaded, by its ``recipe_id``. Raises ``UsageError`` where there is none of this id.
 
-        >>> foon.recipe("limeade").title
+        >>> foon.recipes.get("limeade").title
         'Limeade'
         """
         from foon_kg.store.graph.recipes import stored_recipe
 
-        return stored_recipe(self._connected("for recipes"), one_spelling(recipe_id))
+        return stored_recipe(self._foon.connection_for("for recipes"), one_spelling(recipe_id))
 
-    def recipes(self, dish_type: str = "", *, after: str = "") -> Iterator[StoredRecipe]:
+    def all(self, dish_type: str = "", *, after: str = "") -> Iterator[StoredRecipe]:
         """Yield the recipes whose id is greater than ``after``, by id: those that surely are a ``dish_type``.
 
         ``""`` stands for all types. They are read page by page: there may be a million.
 
-        >>> [one.id for one in foon.recipes("salad", after="courgette_salad")]
+        >>> [one.id for one in foon.recipes.all("salad", after="courgette_salad")]
         ['kohlrabi_salad', 'tomato_salad']
         """
         from foon_kg.store.graph.recipes import recipes_after
 
-        return recipes_after(self._connected("for recipes"), after, dish_type)
+        return recipes_after(self._foon.connection_for("for recipes"), after, dish_type)
 
-    def recipes_until(self, last: str, dish_type: str = "") -> tuple[int, int]:
+    def until(self, last: str, dish_type: str = "") -> tuple[int, int]:
         """Return how many recipes are of a ``dish_type`` (``""``: any), and how many have an id up to ``last``.
 
-        >>> foon.recipes_until("kohlrabi_salad", "salad")
+        >>> foon.recipes.until("kohlrabi_salad", "salad")
         (3, 2)
         """
         from foon_kg.store.graph.recipes import recipes_until
 
-        return recipes_until(self._connected("for recipes"), last, dish_type)
+        return recipes_until(self._foon.connection_for("for recipes"), last, dish_type)
 
-    def recipe_ids(self, dish_type: str, partition: str = "") -> list[str]:
+    def ids(self, dish_type: str, partition: str = "") -> list[str]:
         """Return the ids of the recipes that surely are a ``dish_type``, sorted.
 
         ``partition`` is the part of their collection they are of: ``train``, ``val``, ``test``, or ``""`` for any.
 
-        >>> foon.recipe_ids("salad")
+        >>> foon.recipes.ids("salad")
         ['courgette_salad', 'kohlrabi_salad', 'tomato_salad']
         """
         from foon_kg.store.graph.recipes import recipe_ids
 
-        return recipe_ids(self._connected("for recipes"), dish_type, partition)
+        return recipe_ids(self._foon.connection_for("for recipes"), dish_type, partition)
 
-    def recipe_counts(self) -> tuple[RecipeCountRow, Sequence[RecipeClassRow]]:
+    def counts(self) -> tuple[RecipeCountRow, Sequence[RecipeClassRow]]:
         """Return how many recipes and foods of theirs there are, and for each dish type what its recipes call for.
 
-        >>> foon.recipe_counts()[0].recipes
+        >>> foon.recipes.counts()[0].recipes
         8
         """
         from foon_kg.store.graph.recipes import class_counts, recipe_count
 
-        connection = self._connected("for recipes")
+        connection = self._foon.connection_for("for recipes")
         return recipe_count(connection), class_counts(connection)
 
     def wanted_foods(self, most: int = 20) -> Sequence[WantedFoodRow]:
         """Return the at most ``most`` foods that no unit has and most recipes call for: what to annotate next.
 
-        >>> foon.wanted_foods(1)[0].food
+        >>> foon.recipes.wanted_foods(1)[0].food
         'kohlrabi'
         """
         from foon_kg.store.graph.recipes import wanted_foods
 
-        return wanted_foods(self._connected("for recipes"), most)
+        return wanted_foods(self._foon.connection_for("for recipes"), most)
 
-    def store_recipes(
+    def store(
         self,
         recipes: Iterable[CollectedRecipe],
         *,
@@ -110,7 +108,7 @@ class Collected(Exploring):
         >>> from foon_kg.foon.demo import demo_recipes
         >>> from foon_kg.loaders.recipe_collections import RecipeCollections
         >>> with RecipeCollections(demo_recipes(), print) as recipes:
-        ...     foon.store_recipes(recipes).unchanged
+        ...     foon.recipes.store(recipes).unchanged
         8
         """
         from foon_kg.language.collection import CollectionReader, labels_of
@@ -118,10 +116,10 @@ class Collected(Exploring):
         from foon_kg.planning.batch import cores
         from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes
 
-        connection = self._connected("for recipes")
+        connection = self._foon.connection_for("for recipes")
         with LineReader(cores()) as lines:
             prepare_for_recipes(connection)
-            with self.reading() as view:
+            with self._foon.reading() as view:
                 reader = CollectionReader(labels_of(view.vocabulary()), lines, full)
             return load_recipes(
                 connection,
@@ -133,7 +131,7 @@ class Collected(Exploring):
             )
 
     @staticmethod
-    def stage_recipes(
+    def stage(
         staged: Staged,
         recipes: Iterable[CollectedRecipe],
         *,
@@ -143,7 +141,7 @@ class Collected(Exploring):
     ) -> RecipesStored:
         """Bring recipes to what is ``staged`` for an offline import, which calls this ``beside`` its videos.
 
-        ``stored``, ``understood`` and ``left_over`` are told what :meth:`store_recipes` tells them.
+        ``stored``, ``understood`` and ``left_over`` are told what :meth:`store` tells them.
         """
         from foon_kg.language.collection import CollectionReader, labels_by_name
         from foon_kg.language.recipe_lines import LineReader
@@ -156,47 +154,6 @@ class Collected(Exploring):
             return stage_recipes(
                 staged, recipes, understand, version=reader.version, stored=stored, left_over=left_over
             )
-
-    def store_drafts(
-        self, drafts: Iterable[DraftedRecipe], stored: Callable[[DraftsStored], None] = silent
-    ) -> DraftsStored:
-        """Bring ``drafts`` of recipes into the graph, apart from its videos; ``stored`` is told of each transaction.
-
-        >>> foon.store_drafts([]).inserted
-        0
-        """
-        from foon_kg.store.graph.drafts import load_drafts
-
-        return load_drafts(self._connected("for drafts"), drafts, stored=stored)
-
-    def remove_drafts(self, names: Sequence[str], *, dry_run: bool = False) -> None:
-        """Take drafts of recipes out of the graph, all or none: those of these ``names`` (``draft:ID``).
-
-        With ``dry_run`` nothing goes. Raises :class:`~foon_kg.model.errors.UsageError` for a FOON in files, and where
-        the graph has no such draft.
-
-        >>> foon.remove_drafts(["draft:nobody"], dry_run=True)
-        Traceback (most recent call last):
-        foon_kg.model.errors.UsageError: the graph has no draft “draft:nobody”
-        """
-        from foon_kg.store.graph.drafts import check_drafts, remove_drafts
-
-        connection = self._connected("to take drafts out of")
-        drafts = list(map(one_spelling, names))
-        check_drafts(connection, drafts)
-        if not dry_run:
-            remove_drafts(connection, drafts)
-
-    def store_weights(self, costs: MotionCosts) -> WeightsReport:
-        """Store the ``costs`` of motions for a robot (0: always succeeds, 1: never), in place of all stored before.
-
-        >>> from foon_kg.food.motion_costs import MotionCosts
-        >>> foon.store_weights(MotionCosts({"chop": 0.9})).motions
-        1
-        """
-        from foon_kg.store.graph import load_weights
-
-        return load_weights(self._connected("for weights"), costs)
 
 
 def _reporting(reader: CollectionReader, understood: Callable[[UnderstoodRecipe], None]) -> Understand:

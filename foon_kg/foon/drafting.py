@@ -8,8 +8,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from foon_kg.foon.changing import Changing
-from foon_kg.foon.opened import Paths, Say, silent
+from foon_kg.foon.opened import Opened, Paths, Say, silent
+from foon_kg.model.nodes import one_spelling
 
 if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.language.drafting.review import Missing
@@ -18,10 +18,14 @@ if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.model.drafted import DraftedRecipe
     from foon_kg.model.drafts import Draft, DraftFile
     from foon_kg.model.narration import Narration
+    from foon_kg.store.graph.drafts import DraftsStored
 
 
-class Drafting(Changing):
-    """A FOON that drafts subgraphs of videos and recipes that are told in words."""
+class Drafting:
+    """Drafts of subgraphs, of videos and recipes that are told in words, by what a FOON knows (``foon.drafting``)."""
+
+    def __init__(self, foon: Opened) -> None:
+        self._foon = foon
 
     @staticmethod
     def narration(path: Paths, *, say: Say = silent) -> Narration:
@@ -36,7 +40,7 @@ class Drafting(Changing):
         >>> from tempfile import TemporaryDirectory
         >>> with TemporaryDirectory() as folder:
         ...     written = Path(folder, "salad.txt").write_text("Peel the onion. Slice it.")
-        ...     [sentence.text for sentence in Foon.narration(Path(folder, "salad.txt")).sentences]
+        ...     [sentence.text for sentence in Drafting.narration(Path(folder, "salad.txt")).sentences]
         ['Peel the onion. Slice it.']
         """
         from foon_kg.language.recipe_text import read_narration
@@ -44,7 +48,7 @@ class Drafting(Changing):
         return read_narration(Path(path), say)
 
     @staticmethod
-    def from_nowhere(draft: DraftFile) -> Sequence[Missing]:
+    def missing(draft: DraftFile) -> Sequence[Missing]:
         """Return the inputs of a reviewed ``draft`` that no earlier row makes and no kitchen has (contract, C1 and C6).
 
         As long as there is one, the units cannot be executed in their order.
@@ -53,13 +57,13 @@ class Drafting(Changing):
         >>> from foon_kg.model.drafts import DraftFile, DraftRow
         >>> unit = FunctionalUnit((Participant(ObjectNode("onion", ("chopped",))),), "serve", ())
         >>> row = DraftRow(2, Annotation(unit), 1.0, (), "serve the onion")
-        >>> [str(one.node) for one in Foon.from_nowhere(DraftFile("salad.csv", (row,), None, ()))]
+        >>> [str(one.node) for one in Drafting.missing(DraftFile("salad.csv", (row,), None, ()))]
         ['onion (chopped)']
         """
-        from foon_kg.language.drafting.review import missing
+        from foon_kg.language.drafting.review import missing as missing_in
         from foon_kg.plans.kitchen import Kitchen
 
-        return missing(draft, Kitchen.default())
+        return missing_in(draft, Kitchen.default())
 
     def draft(self, narration: Narration, dish_type: str | None = None) -> Draft:
         """Return the draft of a ``narration``: units with a confidence (0 to 1) and doubts, and what was left out.
@@ -69,7 +73,7 @@ class Drafting(Changing):
 
         >>> from foon_kg.model.narration import Mention, NarratedAction, Narration
         >>> told = Narration("salad", (NarratedAction("chop", (Mention("onion"),)),))
-        >>> foon.draft(told).units[0].annotation.unit.motion
+        >>> foon.drafting.draft(told).units[0].annotation.unit.motion
         'chop'
         """
         return next(self.drafts([narration], dish_type))
@@ -87,7 +91,7 @@ class Drafting(Changing):
 
         >>> from foon_kg.model.narration import Mention, NarratedAction, Narration
         >>> told = [Narration(name, (NarratedAction("wash", (Mention(name),)),)) for name in ("tomato", "lettuce")]
-        >>> [len(one.units) for one in foon.drafts(told)]
+        >>> [len(one.units) for one in foon.drafting.drafts(told)]
         [1, 1]
         """
         from foon_kg.language.drafting import draft
@@ -95,7 +99,7 @@ class Drafting(Changing):
         from foon_kg.language.instructions import with_actions
         from foon_kg.model.errors import FoonError
 
-        whole = self.snapshot()
+        whole = self._foon.snapshot()
         precedents = FoonPrecedents(whole.units, whole.kitchen)
         for narration in narrations:
             try:
@@ -109,7 +113,7 @@ class Drafting(Changing):
                 yield made
 
     @contextmanager
-    def drafts_of_recipes(
+    def of_recipes(
         self, recipes: Iterable[CollectedRecipe], *, jobs: int | None = None
     ) -> Iterator[Iterable[DraftedRecipe]]:
         """Open what drafts ``recipes`` of a collection by their instructions, in their order, in ``jobs`` processes.
@@ -119,7 +123,7 @@ class Drafting(Changing):
         sentences is not installed.
 
         >>> from foon_kg.model.collected import CollectedRecipe
-        >>> with foon.drafts_of_recipes([CollectedRecipe("r1", "Toast", (), "toast.json:1")], jobs=1) as drafted:
+        >>> with foon.drafting.of_recipes([CollectedRecipe("r1", "Toast", (), "toast.json:1")], jobs=1) as drafted:
         ...     [one.problem for one in drafted]
         ['it has no instructions']
         """
@@ -127,7 +131,7 @@ class Drafting(Changing):
         from foon_kg.planning.batch import cores
         from foon_kg.planning.processes import spread
 
-        whole = self.snapshot()
+        whole = self._foon.snapshot()
         drafter = RecipeDrafter(whole.units, whole.kitchen)
         processes = cores() if jobs is None else jobs
         if processes == 1:
@@ -135,6 +139,35 @@ class Drafting(Changing):
             return
         with spread(partial(_drafter, drafter), recipes, processes) as drafted:
             yield drafted
+
+    def store(self, drafts: Iterable[DraftedRecipe], stored: Callable[[DraftsStored], None] = silent) -> DraftsStored:
+        """Bring ``drafts`` of recipes into the graph, apart from its videos; ``stored`` is told of each transaction.
+
+        >>> foon.drafting.store([])
+        Traceback (most recent call last):
+        foon_kg.model.errors.UsageError: a FOON in files has no Neo4j for drafts
+        """
+        from foon_kg.store.graph.drafts import load_drafts
+
+        return load_drafts(self._foon.connection_for("for drafts"), drafts, stored=stored)
+
+    def remove(self, names: Sequence[str], *, dry_run: bool = False) -> None:
+        """Take drafts of recipes out of the graph, all or none: those of these ``names`` (``draft:ID``).
+
+        With ``dry_run`` nothing goes. Raises :class:`~foon_kg.model.errors.UsageError` for a FOON in files, and where
+        the graph has no such draft.
+
+        >>> foon.drafting.remove(["draft:nobody"], dry_run=True)
+        Traceback (most recent call last):
+        foon_kg.model.errors.UsageError: a FOON in files has no Neo4j to take drafts out of
+        """
+        from foon_kg.store.graph.drafts import check_drafts, remove_drafts
+
+        connection = self._foon.connection_for("to take drafts out of")
+        drafts = list(map(one_spelling, names))
+        check_drafts(connection, drafts)
+        if not dry_run:
+            remove_drafts(connection, drafts)
 
 
 def _drafter(drafter: RecipeDrafter) -> Callable[[CollectedRecipe], DraftedRecipe]:

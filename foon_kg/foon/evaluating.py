@@ -9,7 +9,6 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from foon_kg.foon.answering import Answering
 from foon_kg.foon.opened import Paths, Say, silent
 from foon_kg.model.errors import ReadError, UsageError
 
@@ -17,12 +16,12 @@ if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.evaluation.comparison import Earlier
     from foon_kg.evaluation.figures import RecipeEvaluation
     from foon_kg.evaluation.left_out_video import LeftOutVideo
-    from foon_kg.evaluation.recorded_dishes import RecordedDish
     from foon_kg.evaluation.sampling import LeftOut
     from foon_kg.evaluation.sheet import FilledSheet
     from foon_kg.evaluation.trees import TreeFigures, TreesEvaluation
     from foon_kg.evaluation.video_figures import LeaveOneOut, VideoFigures
-    from foon_kg.foon.collected import Collected
+    from foon_kg.foon.answering import Answering
+    from foon_kg.foon.collected import Recipes
     from foon_kg.model import Recipe
     from foon_kg.model.tree import TaskTree
     from foon_kg.plans.result import PlanFailure, PlanResult
@@ -33,18 +32,13 @@ if TYPE_CHECKING:  # every question imports what it needs
     Shown = Callable[[Iterator[TreeFigures]], Iterable[TreeFigures]]
 
 
-class Evaluating(Answering):
-    """A FOON that says how good its answers are, and the trees of others."""
+class Evaluation:
+    """How good the answers of a FOON are, and the trees of others (``foon.evaluation``)."""
 
-    def content_key(self) -> str:
-        """Return a name for what the FOON knows: equal for equal units, whatever their videos are called.
+    def __init__(self, foon: Answering) -> None:
+        self._foon = foon
 
-        >>> foon.content_key() == Foon.from_files(demo_folder()).content_key()
-        True
-        """
-        return _key(self.snapshot())
-
-    def recipes_to_evaluate(
+    def recipes_of(
         self,
         *paths: Paths,
         dish_types: Collection[str] = (),
@@ -59,14 +53,14 @@ class Evaluating(Answering):
         :class:`~foon_kg.model.errors.ReadError` for what is no recipe, and where two of one type have one id.
 
         >>> from foon_kg.foon.demo import demo_recipes
-        >>> [one.id for one in foon.recipes_to_evaluate(*demo_recipes(), dish_types=["salad"], sample=1)]
+        >>> [one.id for one in foon.evaluation.recipes_of(*demo_recipes(), dish_types=["salad"], sample=1)]
         ['courgette_salad']
         """
         from foon_kg.evaluation.sampling import sampled
         from foon_kg.planning.recipes import recipe_files
 
         found = []
-        for read in self.read_recipes(*recipe_files(map(Path, paths))):
+        for read in self._foon.read_recipes(*recipe_files(map(Path, paths))):
             found.append(read.recipe)
             for note in read.notes:
                 noted(note)
@@ -74,37 +68,37 @@ class Evaluating(Answering):
         asked = [one for one in found if not dish_types or one.dish_type in dish_types]
         return asked if sample is None else sampled(asked, sample, seed)
 
-    def loaded_to_evaluate(
-        self, collection: Collected, dish_types: Collection[str], *, sample: int | None = None, seed: int = 0
+    def loaded_recipes(
+        self, collection: Recipes, dish_types: Collection[str], *, sample: int | None = None, seed: int = 0
     ) -> list[Recipe]:
-        """Return the recipes in the Neo4j of ``collection`` that surely are of ``dish_types``, in words of this FOON.
+        """Return the recipes of a ``collection`` in a Neo4j that surely are of ``dish_types``, in words of this FOON.
 
         At most ``sample`` of each type are drawn by ``seed``, all where ``sample`` is ``None``. Raises ``UsageError``
         for a ``collection`` in files.
 
-        >>> foon.loaded_to_evaluate(foon, ["salad"])
+        >>> foon.evaluation.loaded_recipes(foon.recipes, ["salad"])
         Traceback (most recent call last):
         foon_kg.model.errors.UsageError: a FOON in files has no Neo4j for recipes
         """
         from foon_kg.evaluation.sampling import drawn
         from foon_kg.planning.recipes import with_states
 
-        words = self.words()
+        words = self._foon.words()
         found: list[Recipe] = []
         for dish_type in sorted(set(dish_types)):
-            ids = collection.recipe_ids(dish_type)
+            ids = collection.ids(dish_type)
             names = ids if sample is None else drawn(ids, sample, seed, dish_type)
-            found += [with_states(collection.recipe(name).asked(dish_type), words).recipe for name in names]
+            found += [with_states(collection.get(name).asked(dish_type), words).recipe for name in names]
         return found
 
     @staticmethod
-    def earlier_evaluation(path: Paths, kind: Literal["recipes", "leave-one-out"]) -> Earlier:
+    def earlier(path: Paths, kind: Literal["recipes", "leave-one-out"]) -> Earlier:
         """Return an evaluation of this ``kind`` that was printed as JSON into the file at ``path``, to compare with.
 
         Raises :class:`~foon_kg.model.errors.ReadError` for what is none, and
         :class:`~foon_kg.model.errors.UsageError` for one of another kind.
 
-        >>> Foon.earlier_evaluation("not there", "recipes")
+        >>> Evaluation.earlier("not there", "recipes")
         Traceback (most recent call last):
         foon_kg.model.errors.ReadError: not there: No such file or directory
         """
@@ -113,11 +107,11 @@ class Evaluating(Answering):
         return earlier_evaluation(Path(path), kind)
 
     @staticmethod
-    def score_sheet(evaluation: RecipeEvaluation) -> str:
+    def sheet(evaluation: RecipeEvaluation) -> str:
         """Return a sheet (CSV) on which people can score each line of an ``evaluation``, its scores left open.
 
         >>> asked = foon.plan("salad", ["chopped onion", "olive oil"]).result.recipe
-        >>> Foon.score_sheet(foon.evaluate_recipes([asked])).splitlines()[0]
+        >>> Evaluation.sheet(foon.evaluation.recipes([asked])).splitlines()[0]
         'recipe,dish_type,ingredient,state,progress_line,score'
         """
         from foon_kg.evaluation.sheet import write_sheet
@@ -130,7 +124,7 @@ class Evaluating(Answering):
 
         Raises :class:`~foon_kg.model.errors.ReadError` with the line that is none of such a sheet.
 
-        >>> Foon.filled_sheet("not there")
+        >>> Evaluation.filled_sheet("not there")
         Traceback (most recent call last):
         foon_kg.model.errors.ReadError: not there: No such file or directory
         """
@@ -138,7 +132,7 @@ class Evaluating(Answering):
 
         return read_sheet(Path(path))
 
-    def evaluate_recipes(
+    def recipes(
         self,
         recipes: Iterable[Recipe],
         *,
@@ -156,14 +150,14 @@ class Evaluating(Answering):
         Raises ``UsageError`` where none is of a dish type that the FOON knows enough of.
 
         >>> asked = foon.plan("salad", ["chopped onion", "olive oil"]).result.recipe
-        >>> [line.score for line in foon.evaluate_recipes([asked]).recipes[0].scores]
+        >>> [line.score for line in foon.evaluation.recipes([asked]).recipes[0].scores]
         [2, 2]
         """
         from foon_kg.evaluation.examination import Examiner
         from foon_kg.evaluation.figures import RecipeEvaluation
         from foon_kg.evaluation.sampling import known_enough, left_out
 
-        whole = self.snapshot()
+        whole = self._foon.snapshot()
         goals = whole.goals()
         asked = sorted(recipes, key=lambda recipe: (recipe.dish_type, recipe.id or ""))
         enough, out = known_enough(goals), left_out((recipe.dish_type for recipe in asked), goals)
@@ -179,26 +173,24 @@ class Evaluating(Answering):
         from foon_kg.planning.settings import PlanSettings
 
         questions = [Question(given=recipe) for recipe in recipes]
-        with self.answers(questions, PlanSettings(method=method)) as answers:
+        with self._foon.answers(questions, PlanSettings(method=method)) as answers:
             return [answer.outcome for answer in answers]
 
-    def evaluate_trees(
-        self, trees: Iterable[tuple[str, str, TaskTree]], *, shown: Shown | None = None
-    ) -> TreesEvaluation:
+    def trees(self, trees: Iterable[tuple[str, str, TaskTree]], *, shown: Shown | None = None) -> TreesEvaluation:
         """Return how many of anybody's ``trees`` robot and cook accept, each given with where it is and its dish type.
 
         Their evidence is compared with this FOON. ``shown`` passes on the figures of trees one by one, as a progress
         bar does.
 
         >>> plan = foon.plan("salad", ["chopped onion", "olive oil"])
-        >>> judged = foon.evaluate_trees([("here", "salad", plan.result.tree)])
+        >>> judged = foon.evaluation.trees([("here", "salad", plan.result.tree)])
         >>> judged.trees[0].report.accepted
         True
         """
         from foon_kg.evaluation.trees import TreesEvaluation, examined
         from foon_kg.validation import KnownFoon
 
-        whole = self.snapshot()  # once: the key and what the judge knows are of one FOON
+        whole = self._foon.snapshot()  # once: the key and what the judge knows are of one FOON
         figures = examined(trees, KnownFoon.of(whole.units, whole.goals()), whole.kitchen.free_foods)
         return TreesEvaluation(_key(whole), tuple(figures if shown is None else shown(figures)))
 
@@ -219,7 +211,7 @@ class Evaluating(Answering):
 
         Raises ``UsageError`` where there is no such video.
 
-        >>> left = foon.leave_one_out(["salad"], sample=1)
+        >>> left = foon.evaluation.leave_one_out(["salad"], sample=1)
         >>> [video.recipe.dish_type for video in left.videos]
         ['salad']
         """
@@ -228,7 +220,7 @@ class Evaluating(Answering):
         from foon_kg.evaluation.sampling import known_enough, left_out
         from foon_kg.evaluation.video_figures import LeaveOneOut
 
-        whole = self.snapshot()
+        whole = self._foon.snapshot()
         found = [(subgraph.name, left_out_video(subgraph, whole.kitchen)) for subgraph in whole.subgraphs]
         videos = _of_types((video for _, video in found), dish_types)
         goals = whole.goals()
@@ -238,19 +230,6 @@ class Evaluating(Answering):
         figures = _compared(asked, methods, whole) if compared is None else compared(asked, methods)
         nothing = tuple(name for name, video in found if video is None)
         return LeaveOneOut(_key(whole), seed, tuple(figures), methods, out, nothing)
-
-    def recorded_dishes(self) -> Iterator[RecordedDish]:
-        """Yield the dishes that the videos make, each with the recipe that asks for it: what this FOON can be asked.
-
-        They come by dish type in turns, those first that show best what a plan is. The whole FOON is read.
-
-        >>> dish = next(foon.recorded_dishes())
-        >>> dish.goal.node.label, dish.recipe.dish_type, dish.texts[:2]
-        ('fruit punch', 'drinks', ('liquid apple juice', 'cube ice'))
-        """
-        from foon_kg.evaluation.recorded_dishes import recorded_dishes
-
-        return recorded_dishes(self.snapshot())
 
     @contextmanager
     def leaving_out(
@@ -266,7 +245,7 @@ class Evaluating(Answering):
         That is done in ``jobs`` processes (as a rule all cores), on the cluster of the Dask scheduler at ``dask``, or
         for few videos in this process; none of it changes a figure.
 
-        >>> with foon.leaving_out([], ["foon-kg"]) as figures:
+        >>> with foon.evaluation.leaving_out([], ["foon-kg"]) as figures:
         ...     list(figures)
         []
         """
@@ -275,7 +254,7 @@ class Evaluating(Answering):
         from foon_kg.planning.cluster import spread_over
         from foon_kg.planning.processes import spread
 
-        whole = self.snapshot()
+        whole = self._foon.snapshot()
         make = partial(asking_without, whole.subgraphs, whole.kitchen, methods)
         processes = cores() if jobs is None else jobs
         opened: AbstractContextManager[Iterator[VideoFigures]]
@@ -293,13 +272,13 @@ class Evaluating(Answering):
 
         Raises :class:`~foon_kg.model.errors.NoTreeError` where there is none.
 
-        >>> left = foon.leave_one_out(["salad"], sample=1)
-        >>> len(foon.plan_of_left_out(left.videos[0]).units) > 1
+        >>> left = foon.evaluation.leave_one_out(["salad"], sample=1)
+        >>> len(foon.evaluation.plan_of_left_out(left.videos[0]).units) > 1
         True
         """
         from foon_kg.evaluation.leave_one_out import planned_without
 
-        whole = self.snapshot()
+        whole = self._foon.snapshot()
         return planned_without(whole.subgraphs, whole.kitchen, video)
 
 

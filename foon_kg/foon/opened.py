@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Self, TypeVar
 from foon_kg.model.errors import ReadError, UsageError
 
 if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
+    from foon_kg.evaluation.recorded_dishes import RecordedDish
     from foon_kg.model import Subgraph
     from foon_kg.model.drafted import Lesson
     from foon_kg.store.graph import Connection, GraphView, Neo4jGraph
     from foon_kg.store.server import ConnectionSettings
-    from foon_kg.store.server import Status as ServerStatus
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.with_drafts import WithDrafts
     from foon_kg.validation import KnownFoon
@@ -137,37 +137,6 @@ class Opened:
 
         return cls(server=ensure_running(say))
 
-    @staticmethod
-    def start_server(*, port: int | None = None, idle_minutes: float | None = None, say: Say = silent) -> ServerStatus:
-        """Start foon-kg's own Neo4j, or find that it runs, and return how it is now.
-
-        ``port`` is the one it listens on (else the one it had, first a free one); it stops after so many
-        ``idle_minutes`` without use (0: never). What is done goes to ``say``. Raises
-        :class:`~foon_kg.model.errors.ServerError` where it cannot be started.
-        """
-        from foon_kg.store.server import start, status
-
-        start(port=port, idle_minutes=idle_minutes, say=say)
-        return status()
-
-    @staticmethod
-    def stop_server(*, say: Say = silent) -> bool:
-        """Stop foon-kg's own Neo4j, whose data stays; whether it ran. What is done goes to ``say``."""
-        from foon_kg.store.server import stop
-
-        return stop(say)
-
-    @staticmethod
-    def server_status() -> ServerStatus:
-        """Return whether foon-kg's own Neo4j runs, where it answers, and where its data, password and log are.
-
-        >>> Foon.server_status().user
-        'neo4j'
-        """
-        from foon_kg.store.server import status
-
-        return status()
-
     def close(self) -> None:
         """Give connections back. Another question opens them again."""
         for name in ("_graph", "_connection"):
@@ -263,6 +232,29 @@ class Opened:
         with self._graph.reading() as view:
             return view.lessons()
 
+    def content_key(self) -> str:
+        """Return a name for what the FOON knows: equal for equal units, whatever their videos are called.
+
+        >>> foon.content_key() == Foon.from_files(demo_folder()).content_key()
+        True
+        """
+        from foon_kg.model import content_key
+
+        return content_key([known.unit.key for known in self.snapshot().units])
+
+    def recorded_dishes(self) -> Iterator[RecordedDish]:
+        """Yield the dishes that the videos make, each with the recipe that asks for it: what this FOON can be asked.
+
+        They come by dish type in turns, those first that show best what a plan is. The whole FOON is read.
+
+        >>> dish = next(foon.recorded_dishes())
+        >>> dish.goal.node.label, dish.recipe.dish_type, dish.texts[:2]
+        ('fruit punch', 'drinks', ('liquid apple juice', 'cube ice'))
+        """
+        from foon_kg.evaluation.recorded_dishes import recorded_dishes
+
+        return recorded_dishes(self.snapshot())
+
     def is_larger_than(self, units: int) -> bool:
         """Whether the FOON is in a graph that has more than so many ``units``; files are in memory, of any size.
 
@@ -341,8 +333,13 @@ class Opened:
 
         return Connection(self._needs_server("to ask"))
 
-    def _connected(self, what: str) -> Connection:
-        """Return the connection to the Neo4j; raises UsageError for a FOON in files, which has none ``what`` for."""
+    def connection_for(self, what: str) -> Connection:
+        """Return the connection to the Neo4j; raises UsageError for a FOON in files, which has none for ``what``.
+
+        >>> foon.connection_for("for recipes")
+        Traceback (most recent call last):
+        foon_kg.model.errors.UsageError: a FOON in files has no Neo4j for recipes
+        """
         self._needs_server(what)
         return self._connection
 

@@ -50,7 +50,7 @@ def test_the_examples_of_the_docstrings_are_true(door, salad):
 def test_the_examples_of_a_foon_in_neo4j_are_true(empty_graph):
     with Foon(server=empty_graph) as door, RecipeCollections(demo_recipes(), print) as recipes:
         door.load(demo_folder())
-        door.store_recipes(recipes)
+        door.recipes.store(recipes)
         names = {"foon": door, "demo_folder": demo_folder}
         done = [doctest.testmod(module, extraglobs=names) for module in (changing, collected, exploring)]
     assert [one.failed for one in done] == [0, 0, 0]
@@ -216,7 +216,7 @@ def test_what_needs_a_graph_says_so(door, tmp_path):
         lambda: door.cypher("RETURN 1"),
         lambda: door.load(demo_folder()),
         lambda: door.remove(["greek_salad"]),
-        lambda: door.remove_drafts(["draft:1"]),
+        lambda: door.drafting.remove(["draft:1"]),
     )
     for ask in asks:
         with pytest.raises(UsageError, match="in files"):
