@@ -7,9 +7,10 @@ server; it gets the FOONs, each on top of the smaller one (``--loaded``: it has 
 of an operation runs under PROFILE, and what that counts is added up: db hits depend neither on the machine nor on what
 else it does. For each operation, in the mean of what it was asked: db hits for the smallest FOON, for each larger one,
 and the ratio; below it those of its statements that grew most. Programs have read nothing before ("cold") or what the
-same program asked before ("warm"). Each operation is told when it is done, with the seconds that it took, PROFILE
-included. ``--keep`` adds what was counted to a JSON file, and compares with all that it has: so sizes are measured on
-different days. ``--only`` does the operations whose names begin so. At the end the most memory that this process had:
+same program asked before ("warm"). Round trips are the statements that were sent, one after another. Each operation is
+told when it is done, with the seconds that it took, PROFILE included. ``--keep`` adds what was counted to a JSON file,
+and compares with all that it has: so sizes are measured on different days. ``--only`` does the operations whose names
+begin so. At the end the most memory that this process had:
 where ``--loaded`` is not given, of making the FOON as well.
 """
 
@@ -38,6 +39,8 @@ from foon_kg.planning.recipes import recipe_files
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.store.graph import Connection, load, remove
 from foon_kg.store.server import connection_settings
+from foon_kg.web.graph_words import GraphWords
+from foon_kg.web.sources import SAMPLE
 
 QUERIES = SHARED.parents[1] / "queries"
 FOODS = ("caper", "leek", "prune", "tofu")
@@ -54,16 +57,18 @@ class Profiler:
 
     def __init__(self) -> None:
         self.hits: Counter[str] = Counter()
+        self.trips = 0
         self._run = neo4j.Transaction.run
 
     @contextmanager
     def on(self) -> Iterator[Counter[str]]:
         """Count anew; yield the counter, which is full once the block ends."""
-        self.hits, run = Counter(), self._run
+        self.hits, self.trips, run = Counter(), 0, self._run
 
         def profiled(transaction, query, parameters=None, **more):  # type: ignore[no-untyped-def]
             result = run(transaction, f"PROFILE {query}", parameters, **more)
             rows, keys = list(result), result.keys()
+            self.trips += 1
             self.hits[_name_of(query)] += _db_hits(result.consume().profile)
             return _Rows(rows, keys)
 
@@ -105,10 +110,10 @@ def costs(paths: Sequence[Path], video: Subgraph, only: Sequence[str] = ("",)) -
             return
         started = time.perf_counter()
         try:
-            found[name] = _counted(profiler, asked, times)
+            found[name], trips = _counted(profiler, asked, times)
         except FoonError as error:
-            found[name] = _not_answered(name, error)
-        _told(name, found[name], started)
+            found[name], trips = _not_answered(name, error), 0
+        _told(name, found[name], started, trips)
 
     planned = [_planned(path) for path in paths]
     count("plan, cold", planned)
@@ -117,7 +122,12 @@ def costs(paths: Sequence[Path], video: Subgraph, only: Sequence[str] = ("",)) -
     count("similar", [lambda foon, food=food: foon.similar(food) for food in FOODS])
     count("retrieve", [lambda foon, dish=dish: foon.retrieve(dish) for dish in DISHES])
     count("suggest", [lambda foon: foon.suggest(AT_HAND)])
+    count("suggest, warm", [lambda foon: foon.suggest(AT_HAND)], times=2)
     count("statistics", [lambda foon: foon.statistics()])
+    count("recipes", [lambda foon: foon.recipe_counts()])
+    count("unseen foods of recipes", [lambda foon: foon.wanted_foods()])
+    count("page, its first view", [lambda foon: GraphWords(foon).summary()])
+    count("page, videos for its examples", [lambda foon: foon.sample(SAMPLE)])
     found |= _named(profiler, only)
     with Connection(connection_settings()) as connection:
         for name, change in (
@@ -130,17 +140,19 @@ def costs(paths: Sequence[Path], video: Subgraph, only: Sequence[str] = ("",)) -
                 with profiler.on() as hits:
                     change()
                 found[name] = hits
-                _told(name, hits, started)
+                _told(name, hits, started, profiler.trips)
     return found
 
 
-def _told(name: str, hits: Counter[str], started: float) -> None:
-    print(f"{name}: {sum(hits.values()):,} db hits, {time.perf_counter() - started:.1f} s", flush=True)
+def _told(name: str, hits: Counter[str], started: float, trips: float) -> None:
+    seconds = time.perf_counter() - started
+    print(f"{name}: {sum(hits.values()):,} db hits, {trips:.1f} round trips, {seconds:.1f} s", flush=True)
 
 
-def _counted(profiler: Profiler, asked: Sequence[Callable[[Foon], object]], times: int) -> Counter[str]:
-    """Return the mean of what is asked: of the last of so many ``times`` that one program asks it."""
+def _counted(profiler: Profiler, asked: Sequence[Callable[[Foon], object]], times: int) -> tuple[Counter[str], float]:
+    """Return the mean of what is asked and of its round trips: of the last of ``times`` that one program asks it."""
     whole: Counter[str] = Counter()
+    trips = 0
     for ask in asked:
         with tempfile.TemporaryDirectory() as cache:
             os.environ["FOON_KG_CACHE"] = cache
@@ -150,7 +162,8 @@ def _counted(profiler: Profiler, asked: Sequence[Callable[[Foon], object]], time
                 with profiler.on() as hits:
                     _ask(foon, ask)
         whole.update(hits)
-    return Counter({name: round(hits / len(asked)) for name, hits in whole.items()})
+        trips += profiler.trips
+    return Counter({name: round(hits / len(asked)) for name, hits in whole.items()}), trips / len(asked)
 
 
 def _not_answered(name: str, error: FoonError) -> Counter[str]:
@@ -185,7 +198,7 @@ def _named(profiler: Profiler, only: Sequence[str]) -> Costs:
                 found[f"named: {query.name}"] = _not_answered(query.name, error)
                 continue
             found[f"named: {query.name}"] = Counter({query.name: sum(hits.values())})
-            _told(f"named: {query.name}", found[f"named: {query.name}"], started)
+            _told(f"named: {query.name}", found[f"named: {query.name}"], started, profiler.trips)
     return found
 
 

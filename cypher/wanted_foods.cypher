@@ -1,11 +1,12 @@
-// The foods that no unit of the FOON has, by how many recipes call for them: what to annotate next. The counts are kept.
+// The foods that no unit of the FOON has, by how many recipes call for them: what to annotate next. The counts are kept, and
+// in an index, from which only so many are read as are told.
 // param: most INTEGER
 // column: food
 // column: recipes
 // column: states
 // mode: read
-// scans: every food that recipes name is looked at
 MATCH (i:Ingredient)
+USING INDEX SEEK i:Ingredient(recipes)
 WHERE i.recipes > 0 AND NOT EXISTS { (i)-[:SEEN_AS]->() }
 WITH i
 ORDER BY i.recipes DESC, i.name
