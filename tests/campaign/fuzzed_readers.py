@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import gzip
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import zstandard
+from demo_foon import demo_subgraphs
 from kitchen_stories import SALAD, subgraph
 from typer.testing import CliRunner
 
@@ -41,7 +43,11 @@ class Reader:
 
     ending: str
     read: object
-    seeds: tuple[bytes, ...]
+    seeds: tuple[bytes, ...] | Callable[[], tuple[bytes, ...]]
+
+    def begin_from(self):
+        """Return the files to begin from, which may have to be made."""
+        return self.seeds() if callable(self.seeds) else self.seeds
 
 
 def subgraphs(read):
@@ -120,13 +126,14 @@ def shown(path):
         assert done.exit_code in {0, 1, 2, 3}
 
 
-def plan():
+def plans():
+    """Made where it is asked for: every process that collects the tests would plan it."""
     done = CliRunner().invoke(app, ["plan", str(demo_recipes()[0]), "--json", *FILES])
-    return done.stdout.encode()
+    return (done.stdout.encode(),)
 
 
 TEXTS = tuple(path.read_bytes() for path in sorted(demo_folder().glob("*.txt"))[:MOST_SEEDS])
-JSONS = tuple(write_json(one.subgraph).encode() for one in list(read_paths([demo_folder()]))[:1] if one.subgraph)
+JSONS = tuple(write_json(one).encode() for one in demo_subgraphs()[:1])
 TABLE = b"""start,end,motion,inputs,outputs,dish
 0:12,0:31,chop,onion (peeled) on cutting board; knife,*onion (chopped) on cutting board,
 0:40,0:44,mix *,bowl {onion; tomato}; spoon,bowl {salad}; salad (mixed) {onion; tomato} in bowl,salad
@@ -176,7 +183,7 @@ READERS = {
     "drafts in zstd": Reader(".jsonl.zst", lessons, (zstandard.compress(DRAFTED),)),
     "draft table": Reader(".csv", reviewed, (DRAFT_TABLE.encode(), TABLE)),
     "question": Reader(".cypher", question, (QUESTION,)),
-    "plan": Reader(".json", shown, (plan(),)),
+    "plan": Reader(".json", shown, plans),
 }
 
 

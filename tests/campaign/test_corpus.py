@@ -56,7 +56,7 @@ def test_a_file_that_was_changed_is_read_or_refused(name, tmp_path):
     def stumbles_so(kind, data):
         return type(stumbles(data)) is kind
 
-    seeds = reader.seeds + kept(name)
+    seeds = reader.begin_from() + kept(name)
     for seed in seeds:
         assert stumbles(seed) is None
     for number in range((5_000 if WHOLE_CAMPAIGN else 100) // SLOW.get(name, 1)):

@@ -6,12 +6,12 @@ import json
 from dataclasses import replace
 
 import pytest
+from demo_foon import demo_subgraphs
 from typer.testing import CliRunner
 
 from foon_kg import Foon
 from foon_kg.cli import app
 from foon_kg.foon.demo import demo_folder
-from foon_kg.loaders import read_paths
 from foon_kg.loaders.lessons import lesson_of, lessons_of
 from foon_kg.model.drafted import DraftedRecipe, surest
 from foon_kg.model.errors import NoTreeError, UsageError
@@ -53,7 +53,7 @@ BISCUITS = ("cookie", ["flour", "butter", "sugar"])
 
 
 def videos():
-    return [result.subgraph for result in read_paths([demo_folder()])]
+    return list(demo_subgraphs())
 
 
 @pytest.fixture

@@ -6,6 +6,7 @@ import itertools
 import json
 
 import pytest
+from demo_foon import demo_subgraphs
 from examples import examples
 from foons import foons, subgraphs_named
 from hypothesis import given
@@ -13,7 +14,6 @@ from hypothesis import strategies as st
 from methods_told import told
 
 from foon_kg.foon.demo import demo_folder
-from foon_kg.loaders import read_paths
 from foon_kg.model.errors import NoTreeError, SchemaError
 from foon_kg.planning.likes import FoodLikes
 from foon_kg.planning.planner import Planner
@@ -33,7 +33,7 @@ in_a_database = examples(8)
 
 
 def videos_of_the_demo():
-    return [result.subgraph for result in read_paths([demo_folder()])]
+    return list(demo_subgraphs())
 
 
 def assert_equal_methods(graph, subgraphs):

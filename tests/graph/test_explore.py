@@ -7,20 +7,18 @@ from collections import Counter, deque
 from itertools import combinations, pairwise
 
 import pytest
+from demo_foon import demo_foon, demo_subgraphs
 
 from foon_kg.cli.named_queries import explore_query, values
 from foon_kg.cypher import explore_queries
-from foon_kg.foon.demo import demo_folder
-from foon_kg.loaders import read_paths
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import Connection, load
 from foon_kg.store.graph.free_cypher import ask_freely
-from foon_kg.store.snapshot import Snapshot
 
 every_query = pytest.mark.parametrize("query", explore_queries(), ids=lambda query: query.name)
 
-SUBGRAPHS = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
-SNAPSHOT = Snapshot.of(SUBGRAPHS, Kitchen.default())
+SUBGRAPHS = demo_subgraphs()
+SNAPSHOT = demo_foon()
 UNITS = {a.unit for subgraph in SUBGRAPHS for a in subgraph.annotations}
 VIDEOS = {s.name: [annotation.unit for annotation in s.annotations] for s in SUBGRAPHS}
 FOODS = {row.label for row in SNAPSHOT.vocabulary().foods}

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from demo_foon import demo_subgraphs
 from integration.told import KITCHEN
 from planner.judged import judge
 from planner.public_foon import public_snapshot
 
-from foon_kg.foon.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError
@@ -54,7 +54,7 @@ every_new_dish = pytest.mark.parametrize("video", sorted(NEW))
 
 @pytest.fixture(scope="module")
 def demo():
-    return [one.subgraph for one in read_paths([demo_folder()]) if one.subgraph is not None]
+    return list(demo_subgraphs())
 
 
 def planned(asked, subgraphs):

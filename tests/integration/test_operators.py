@@ -6,18 +6,15 @@ import random
 from itertools import chain
 
 import pytest
+from demo_foon import demo_foon
 from hypothesis import given
 from hypothesis import strategies as st
 from integration.told import Likes, operators_of, snapshot_of
 
 from foon_kg.food import singular, tables
-from foon_kg.foon.demo import demo_folder
 from foon_kg.integration.teaching.forms import form_of
 from foon_kg.integration.teaching.operators import MOST_SIGHTINGS, Nearness, Operators
-from foon_kg.loaders import read_paths
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant, Sighting
-from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.snapshot import Snapshot
 
 SLICE, CHOP, POUR = ("slice", ("knife",)), ("chop", ("knife",)), ("pour", ())
 
@@ -323,7 +320,7 @@ def test_a_removed_unit_attests_nothing_any_more_and_all_others_as_before(rows, 
 
 @pytest.fixture(scope="module")
 def demo():
-    return Snapshot.of([one.subgraph for one in read_paths([demo_folder()]) if one.subgraph], Kitchen.default())
+    return demo_foon()
 
 
 def test_every_sighting_of_the_demo_has_the_motion_the_tools_and_a_food_of_that_nearness(demo):

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import pytest
+from demo_foon import demo_subgraphs
 from integration.told import KITCHEN
 
 from foon_kg.food import tables
-from foon_kg.foon.demo import demo_folder
 from foon_kg.integration.joining.additions import phase_of
-from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
 from foon_kg.planning.settings import PlanSettings
@@ -19,7 +18,7 @@ KNOWN = tables()
 
 @pytest.fixture(scope="module")
 def planner():
-    read = [one.subgraph for one in read_paths([demo_folder()]) if one.subgraph is not None]
+    read = demo_subgraphs()
     snapshot = Snapshot.of(read, KITCHEN)
     return Planner(snapshot, PlanSettings(KITCHEN, time_limit=None), snapshot.units)
 

@@ -4,17 +4,12 @@ from __future__ import annotations
 
 import functools
 
-from foon_kg.cli.demo import demo_subgraphs
+from demo_foon import demo_foon
+
 from foon_kg.foon.demo import demo_recipes
 from foon_kg.planning.planner import plan
 from foon_kg.planning.recipes import IngredientWords, read_recipe
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.snapshot import Snapshot
-
-
-@functools.cache
-def demo_foon():
-    return Snapshot.of(demo_subgraphs(), Kitchen.default())
 
 
 @functools.cache

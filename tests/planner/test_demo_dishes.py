@@ -9,22 +9,22 @@ import sys
 from pathlib import Path
 
 import pytest
+from demo_foon import demo_foon, demo_subgraphs
 from planner.dishes import KITCHEN, leaf_foods
 from planner.judged import fatal, judge
 
 from foon_kg import validation
 from foon_kg.evaluation.verdicts import Verdicts
-from foon_kg.foon.demo import demo_folder, demo_recipes
-from foon_kg.loaders import read_paths
+from foon_kg.foon.demo import demo_recipes
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner, plan
 from foon_kg.planning.recipes import IngredientWords, read_recipe
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.store.graph import Connection, Neo4jGraph, load
-from foon_kg.store.snapshot import Snapshot, goals_of
+from foon_kg.store.snapshot import goals_of
 
-SUBGRAPHS = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
-SNAPSHOT = Snapshot.of(SUBGRAPHS, KITCHEN)
+SUBGRAPHS = demo_subgraphs()
+SNAPSHOT = demo_foon()
 WORDS = IngredientWords(SNAPSHOT.vocabulary(), KITCHEN)
 RECIPES = [read_recipe(path, WORDS).recipe for path in demo_recipes()]
 SETTINGS = PlanSettings(time_limit=None)

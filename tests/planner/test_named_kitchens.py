@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from demo_foon import demo_foon, demo_subgraphs
 from examples import examples
 from hypothesis import given
 from hypothesis import strategies as st
@@ -12,8 +13,6 @@ from kitchen_stories import SALAD, node, subgraph
 from planner.dishes import KITCHEN, SETTINGS, questions
 from planner.judged import fatal
 
-from foon_kg.foon.demo import demo_folder
-from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError
 from foon_kg.planning import planner
@@ -277,7 +276,7 @@ def test_the_order_in_which_things_are_named_does_not_matter(question, random):
     assert answer(things) == answer(shuffled)
 
 
-DEMO = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
+DEMO = demo_subgraphs()
 ASKED = [
     Recipe("salad", (RequiredIngredient("onion", "chopped"), RequiredIngredient("tomato", "chopped"))),
     Recipe("", (RequiredIngredient("egg", "beaten"), RequiredIngredient("onion", "chopped"))),
@@ -286,7 +285,7 @@ ASKED = [
 
 @pytest.mark.neo4j
 def test_neo4j_and_memory_plan_and_enumerate_the_same_in_a_named_kitchen(empty_graph):
-    snapshot = Snapshot.of(DEMO, KITCHEN)
+    snapshot = demo_foon()
     things = ("onion", "tomato", "egg", "knife", "cutting board", "salad bowl", "bowl", "spoon", "whisk")
     own = replace(PlanSettings(), kitchen=StockedKitchen.of(KITCHEN, [node(thing) for thing in things]))
 

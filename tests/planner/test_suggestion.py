@@ -5,14 +5,13 @@ from __future__ import annotations
 import random
 
 import pytest
+from demo_foon import demo_foon, demo_subgraphs
 from examples import examples
 from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import SALAD, node, subgraph
 from planner.dishes import FRESH, KITCHEN, SOLD_IN, UNKNOWN, LikeByKind, foons
 
-from foon_kg.foon.demo import demo_folder
-from foon_kg.loaders import read_paths
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.planning.suggestion import suggest
 from foon_kg.plans.stock import StockedKitchen
@@ -133,11 +132,11 @@ def test_a_shuffle_of_files_and_foods_changes_nothing(subgraphs, own, seed):
     assert answer(shuffle.sample(subgraphs, len(subgraphs)), shuffle.sample(own, len(own))) == answer(subgraphs, own)
 
 
-DEMO = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
+DEMO = demo_subgraphs()
 
 
 def test_a_dish_of_the_demo_is_suggested_first_to_who_has_all_of_its_foods():
-    snapshot = Snapshot.of(DEMO, KITCHEN)
+    snapshot = demo_foon()
     goal = next(goal for goal in snapshot.goals("salad") if goal.node.label == "greek salad")
     kitchen = StockedKitchen.of(KITCHEN, [node(name) for name in goal.ingredients])
     first = suggest(snapshot, kitchen, most=3, time_limit=None).found[0]
@@ -151,6 +150,6 @@ def test_neo4j_and_memory_suggest_the_same(empty_graph):
         load(connection, DEMO)
     with Neo4jGraph(empty_graph) as graph, graph.reading() as view:
         before = view.round_trips
-        in_memory = suggest(Snapshot.of(DEMO, KITCHEN), kitchen, most=3, time_limit=None)
+        in_memory = suggest(demo_foon(), kitchen, most=3, time_limit=None)
         assert suggest(view, kitchen, most=3, time_limit=None) == in_memory
         assert view.round_trips == before + 5  # words, goals, their foods, what is behind the best, and its units

@@ -13,6 +13,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from demo_foon import demo_subgraphs
 from examples import examples
 from hypothesis import assume, event, example, given
 from hypothesis import strategies as st
@@ -21,8 +22,6 @@ from planner.judged import fatal
 
 import foon_kg
 from foon_kg.food import singular, tables
-from foon_kg.foon.demo import demo_folder
-from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.planning.avoidance import names_avoided
@@ -35,7 +34,7 @@ from foon_kg.plans.stock import StockedKitchen
 from foon_kg.store.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
-DEMO = [one.subgraph for one in read_paths([demo_folder()]) if one.subgraph is not None]
+DEMO = demo_subgraphs()
 CLOSING = """
 name: closing
 stove (on; under pot) → TURN OFF → stove (off; under pot)
@@ -61,7 +60,7 @@ def every_food():
     return sorted(word for word in words if not word.startswith("*"))
 
 
-demo_foods = st.sampled_from(sorted(SNAPSHOT.methods().operators.foods))
+demo_foods = st.deferred(lambda: st.sampled_from(sorted(SNAPSHOT.methods().operators.foods)))
 
 
 @st.composite

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from demo_foon import demo_foon
 
 from foon_kg.food import tables
-from foon_kg.foon.demo import demo_folder
-from foon_kg.loaders import read_paths
 from foon_kg.planning.recipes import IngredientWords
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.snapshot import Snapshot
 
-DEMO = [one.subgraph for one in read_paths([demo_folder()]) if one.subgraph is not None]
 BULBS = ("head of garlic",)  # asked so, it is garlic, of which cloves are taken
-WORDS = IngredientWords(Snapshot.of(DEMO, Kitchen.default()).vocabulary(), Kitchen.default())
+WORDS = IngredientWords(demo_foon().vocabulary(), Kitchen.default())
 
 
 def test_every_listed_name_is_its_own_food_unless_it_is_a_food_in_a_state():

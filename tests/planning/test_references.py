@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from foon_kg.foon.demo import demo_folder
-from foon_kg.loaders import read_paths
+from demo_foon import demo_foon
+
 from foon_kg.planning.references import References
 from foon_kg.planning.settings import PlanSettings
-from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.snapshot import Snapshot
 
-DEMO = [one.subgraph for one in read_paths([demo_folder()]) if one.subgraph is not None]
-SNAPSHOT = Snapshot.of(DEMO, Kitchen.default())
+SNAPSHOT = demo_foon()
 
 
 def test_what_time_cut_short_is_searched_again_and_what_is_proven_is_kept():

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import json
 
+from demo_foon import demo_foon
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from foon_kg.food import tables
 from foon_kg.foon import Foon
 from foon_kg.foon.demo import demo_folder
-from foon_kg.loaders import read_paths
 from foon_kg.planning.batch import Question
 from foon_kg.planning.recipes import IngredientWords, read_recipe
 from foon_kg.planning.several_asked import each_food
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.snapshot import Snapshot
 
-DEMO = [one.subgraph for one in read_paths([demo_folder()]) if one.subgraph is not None]
-WORDS = IngredientWords(Snapshot.of(DEMO, Kitchen.default()).vocabulary(), Kitchen.default())
+WORDS = IngredientWords(demo_foon().vocabulary(), Kitchen.default())
 PLAIN = sorted(name for name in tables().foods.kind_of if " and " not in name and "," not in name and "&" not in name)
 WITH_AND = sorted(name for name in tables().foods.kind_of if " and " in name and name != "salt and pepper")
 

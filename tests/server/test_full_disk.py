@@ -6,10 +6,10 @@ import resource
 
 import psutil
 import pytest
+from demo_foon import demo_subgraphs
 from kitchen_stories import SALAD, subgraph
 from server.live_server import up
 
-from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.model.errors import GraphError
 from foon_kg.store.doctor import Level, examine
 from foon_kg.store.graph import Connection, Neo4jGraph, load

@@ -5,12 +5,12 @@ from __future__ import annotations
 from itertools import pairwise
 
 import pytest
+from demo_foon import demo_subgraphs
 from fastapi.testclient import TestClient
 from pictures.demo_plans import demo_foon
 from web.serving import app
 
 from foon_kg import Foon
-from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import Connection, load
 from foon_kg.web.foon import LiveFoon
