@@ -133,3 +133,69 @@ def test_artichokes_are_stuffed_whole(steps):
                  "garlic:minced", "olive oil:liquid")  # fmt: skip
     assert "artichokes" in taking(told, "bake")
     assert "artichokes" not in taking(told, "dice") | taking(told, "mix")
+
+
+@pytest.mark.parametrize("bread", [(), ("naan:plain",), ("buns:whole",)])
+def test_meal_that_binds_patties_is_mixed_into_them(steps, bread):
+    told = steps("burger", "Chapli Burgers", "beef mince:raw", "onion:finely chopped", "maize flour:powder",
+                 "egg:uncooked", "ghee:creamy", *bread)  # fmt: skip
+    assert {"maize flour", "beef mince"} <= inside(told, "mix")
+
+
+def test_nuts_for_the_sauce_of_a_salan_are_toasted_and_ground(steps):
+    told = steps("vegetables", "Bagara Baingan", "eggplants:whole", "peanuts:dried", "sesame seeds:seed",
+                 "desiccated coconut:flakes", "onion:chopped", "cumin seeds:whole", "tamarind pulp:paste",
+                 "oil:liquid")  # fmt: skip
+    assert first(told, "peanuts", "blend") < motions(told).index("simmer")
+
+
+def test_herring_cut_small_is_cured_and_the_leaves_of_a_turnip_are_greens():
+    foods = tables().foods
+    assert foods.food("herring", ["diced"]).is_a("ready fish")
+    assert not foods.food("herring", ["raw"]).is_a("ready fish")
+    assert foods.food("turnip", ["leaves"]).kind == "cooking green"
+
+
+def test_flour_in_the_dressing_of_a_salad_is_cooked(steps):
+    told = steps("salad", "Frog Eye Salad", "acini di pepe pasta:cooked", "mandarin oranges:drained",
+                 "sugar:granulated", "flour:powder", "egg yolk:uncooked", "whipped topping:thawed")  # fmt: skip
+    assert "flour" in inside(told, "whisk")
+    assert motions(told).index("whisk") < motions(told).index("cook and stir")
+
+
+def test_pickled_eggs_are_boiled_and_lie_in_their_brine(steps):
+    told = steps("omelette", "Pickled Eggs with Beets", "eggs:uncooked", "beets:canned", "vinegar:liquid",
+                 "sugar:granulated")  # fmt: skip
+    assert "eggs" in taking(told, "boil")
+    assert "beat" not in motions(told)
+
+
+def test_rings_in_a_batter_lie_on_a_burger_that_is_called_after_them(steps):
+    told = steps("burger", "Onion Ring Burger", "ground beef:raw", "onion:sliced", "flour:powder", "beer:liquid",
+                 "oil:liquid", "buns:whole")  # fmt: skip
+    assert "onion" in taking(told, "dip")
+    assert "beer" not in taking(told, "mix")
+
+
+def test_the_avocado_of_a_guacamole_burger_is_mashed_with_its_lime(steps):
+    told = steps("burger", "Guacamole Burgers", "ground beef:raw", "avocados:whole", "lime:juiced", "cilantro:chopped",
+                 "buns:whole")  # fmt: skip
+    assert {"avocados", "cilantro"} <= taking(told, "mash")
+
+
+def test_fish_fingers_are_baked_for_their_sandwich(steps):
+    told = steps("sandwich", "Fish Finger Sandwich", "fish fingers:frozen", "bread:sliced", "butter:softened",
+                 "tartare sauce:creamy")  # fmt: skip
+    assert "fish fingers" in taking(told, "bake")
+
+
+def test_what_is_dipped_is_not_stirred_into_the_dip(steps):
+    told = steps("sauce", "Blue Cheese Dip", "blue cheese:block", "sour cream:creamy", "mayonnaise:creamy",
+                 "celery sticks:sticks")  # fmt: skip
+    assert "celery sticks" not in taking(told, "mix") | taking(told, "pour and stir")
+
+
+def test_the_meat_of_a_sauce_is_browned_before_it_simmers(steps):
+    told = steps("sauce", "Bolognese Sauce", "ground beef:raw", "onion:chopped", "red wine:liquid", "tomatoes:canned")
+    assert first(told, "ground beef", "cook and stir") < motions(told).index("simmer")
+    assert "red wine" not in taking(told, "cook and stir")
