@@ -37,7 +37,11 @@ class CollectedLine:
 
     @property
     def is_readable(self) -> bool:
-        """Whether text and food are at most :data:`LONGEST_LINE` characters long."""
+        """Whether text and food are at most :data:`LONGEST_LINE` characters long.
+
+        >>> CollectedLine("1 cup flour", "flour").is_readable, CollectedLine("a" * (LONGEST_LINE + 1)).is_readable
+        (True, False)
+        """
         return len(self.text) <= LONGEST_LINE and len(self.detected or "") <= LONGEST_LINE
 
 
@@ -62,7 +66,12 @@ class CollectedRecipe:
 
     @cached_property
     def content(self) -> str:
-        """Return a hash of all that the graph keeps of it: where it is equal, loading it again would change nothing."""
+        """Return a hash of all that the graph keeps of it: where it is equal, loading it again would change nothing.
+
+        >>> one, other = (CollectedRecipe("r1", title, (), "recipes.json:1") for title in ("Toast", "Fine toast"))
+        >>> one.content == other.content
+        False
+        """
         lines = [(line.text, line.detected, line.state, line.quantity, line.unit) for line in self.lines]
         return content_key(self.id, self.title, lines, self.dish_type, self.partition, self.url)
 
@@ -79,7 +88,11 @@ class CalledFor:
 
     @property
     def amount(self) -> str:
-        """How much it asks, as people write it: "1 1/2 cups"."""
+        """How much it asks, as people write it: "1 1/2 cups".
+
+        >>> CalledFor("flour", "", "3/2 cups flour", "3/2", "cups").amount
+        '1 1/2 cups'
+        """
         low, dash, high = self.quantity.partition("-")
         return " ".join(filter(None, (f"{_mixed(low)}{dash}{_mixed(high)}", self.unit)))
 

@@ -59,16 +59,28 @@ class Draft:
 
     @property
     def units(self) -> tuple[DraftUnit, ...]:
-        """The units alone."""
+        """The units alone.
+
+        >>> Draft("toast", (LeftOut("Enjoy!", "it does nothing"),)).units
+        ()
+        """
         return tuple(row for row in self.rows if isinstance(row, DraftUnit))
 
     @property
     def left_out(self) -> tuple[LeftOut, ...]:
-        """What gave no unit."""
+        """What gave no unit.
+
+        >>> [one.said for one in Draft("toast", (LeftOut("Enjoy!", "it does nothing"),)).left_out]
+        ['Enjoy!']
+        """
         return tuple(row for row in self.rows if isinstance(row, LeftOut))
 
     def subgraph(self) -> Subgraph:
-        """Return the units as a subgraph, without confidences and doubts."""
+        """Return the units as a subgraph, without confidences and doubts.
+
+        >>> Draft("toast", (LeftOut("Enjoy!", "it does nothing"),)).subgraph()
+        Subgraph(name='toast', annotations=(), sources=())
+        """
         return Subgraph(self.name, tuple(unit.annotation for unit in self.units))
 
 

@@ -19,7 +19,11 @@ _MODULES = {
 
 
 def extra_of(module: str) -> str | None:
-    """Return the extra that brings ``module`` (as an ImportError names it); ``None`` where none does."""
+    """Return the extra that brings ``module`` (as an ImportError names it); ``None`` where none does.
+
+    >>> extra_of("fastapi.responses"), extra_of("antigravity")
+    ('web', None)
+    """
     top = module.partition(".")[0]
     package = _MODULES.get(top, top).lower()
     try:
@@ -38,6 +42,9 @@ def missing(error: ModuleNotFoundError) -> UsageError | None:
     """Return what to tell a person whose command needs a module that is not there; ``None`` where no extra has it.
 
     ``error`` is what the import raised.
+
+    >>> missing(ModuleNotFoundError("no module", name="fastapi")).hint
+    "pip install 'foon-kg[web]'"
     """
     module = error.name or ""
     extra = extra_of(module)

@@ -34,21 +34,36 @@ class Fields:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The names of the fields that are there, sorted."""
+        """The names of the fields that are there, sorted.
+
+        >>> Fields({"label": "egg", "states": []}, "node").names
+        ('label', 'states')
+        """
         return tuple(sorted(self._values))
 
     def text(self, name: str) -> str:
-        """Return the text of the field called ``name``."""
+        """Return the text of the field called ``name``.
+
+        >>> Fields({"label": 7}, "plan.json").text("label")
+        Traceback (most recent call last):
+        foon_kg.model.errors.ReadError: plan.json: “label” should be text, found 7
+        """
         return self._as_text(name, self._value(name))
 
     def optional_text(self, name: str) -> str | None:
-        """Return the text of the field called ``name``, ``None`` where it is null or left out."""
+        """Return the text of the field called ``name``, ``None`` where it is null or left out.
+
+        >>> Fields({"title": None}, "recipe").optional_text("title")
+        """
         return None if self._values.get(name) is None else self.text(name)
 
     def text_or_number(self, name: str) -> str:
         """Return the text of the field called ``name``, or its number as text (2.0 is "2").
 
         It is ``""`` where the field is null or left out.
+
+        >>> Fields({"id": 2.0}, "recipe").text_or_number("id"), Fields({}, "recipe").text_or_number("id")
+        ('2', '')
         """
         value = self._values.get(name)
         if _is_number(value):
@@ -56,48 +71,84 @@ class Fields:
         return (self.optional_text(name) or "").strip()
 
     def whole_number(self, name: str) -> int:
-        """Return the whole number of the field called ``name``."""
+        """Return the whole number of the field called ``name``.
+
+        >>> Fields({"unit": 3}, "sighting").whole_number("unit")
+        3
+        """
         value = self._value(name)
         if not isinstance(value, int) or isinstance(value, bool):
             self._refuse(name, "a whole number", value)
         return value
 
     def number(self, name: str) -> float:
-        """Return the number of the field called ``name``."""
+        """Return the number of the field called ``name``.
+
+        >>> Fields({"confidence": 1}, "substitution").number("confidence")
+        1.0
+        """
         value = self._value(name)
         if not _is_number(value):
             self._refuse(name, "a number", value)
         return float(value)
 
     def optional_number(self, name: str) -> float | None:
-        """Return the number of the field called ``name``, ``None`` where it is null or left out."""
+        """Return the number of the field called ``name``, ``None`` where it is null or left out.
+
+        >>> Fields({}, "sighting").optional_number("start")
+        """
         return None if self._values.get(name) is None else self.number(name)
 
     def truth(self, name: str) -> bool:
-        """Return the true or false of the field called ``name``."""
+        """Return the true or false of the field called ``name``.
+
+        >>> Fields({"exact": True}, "reference").truth("exact")
+        True
+        """
         value = self._value(name)
         if not isinstance(value, bool):
             self._refuse(name, "true or false", value)
         return value
 
     def texts(self, name: str) -> tuple[str, ...]:
-        """Return the texts of the list called ``name``."""
+        """Return the texts of the list called ``name``.
+
+        >>> Fields({"states": ["whole", "raw"]}, "node").texts("states")
+        ('whole', 'raw')
+        """
         return tuple(self._as_text(f"{name}[{place}]", value) for place, value in enumerate(self._list(name)))
 
     def nested(self, name: str) -> Fields:
-        """Return the object that the field called ``name`` is."""
+        """Return the object that the field called ``name`` is.
+
+        >>> Fields({"goal": {"label": "salad"}}, "plan.json").nested("goal").where
+        'plan.json: goal'
+        """
         return Fields(self._value(name), f"{self.where}: {name}")
 
     def nested_list(self, name: str) -> list[Fields]:
-        """Return the objects of the list called ``name``, in order."""
+        """Return the objects of the list called ``name``, in order.
+
+        >>> [one.where for one in Fields({"units": [{}, {}]}, "plan.json").nested_list("units")]
+        ['plan.json: units[0]', 'plan.json: units[1]']
+        """
         return [Fields(value, f"{self.where}: {name}[{place}]") for place, value in enumerate(self._list(name))]
 
     def items(self, name: str) -> list[object]:
-        """Return the items of the list called ``name``, of whatever type they are."""
+        """Return the items of the list called ``name``, of whatever type they are.
+
+        >>> Fields({"row": ["egg", 2]}, "table").items("row")
+        ['egg', 2]
+        """
         return list(self._list(name))
 
     def one_of(self, name: str, allowed: tuple[str, ...]) -> str:
-        """Return the text of the field called ``name``, which must be one of ``allowed``."""
+        """Return the text of the field called ``name``, which must be one of ``allowed``.
+
+        >>> Fields({"origin": "guess"}, "unit").one_of("origin", ("foon", "adapted"))
+        Traceback (most recent call last):
+        foon_kg.model.errors.ReadError: unit: “origin” should be one of foon, adapted, found "guess"
+        """
         value = self.text(name)
         if value not in allowed:
             self._refuse(name, "one of " + ", ".join(allowed), value)

@@ -19,7 +19,11 @@ Made once: ``json.dumps`` makes an encoder at each call, and a FOON has a hash f
 
 
 def json_value(text: str) -> Any:  # noqa: ANN401 - any value of JSON
-    """Return the value that ``text`` is in JSON; raises JSONDecodeError where it is none."""
+    """Return the value that ``text`` is in JSON; raises JSONDecodeError where it is none.
+
+    >>> json_value('{"label": "egg"}')
+    {'label': 'egg'}
+    """
     try:
         return json.loads(text)
     except json.JSONDecodeError:
@@ -32,6 +36,9 @@ def json_value_at(text: str, place: int) -> tuple[Any, int]:
     """Return the JSON value that begins at ``place`` (in characters) of a ``text``, and where it ends.
 
     Raises JSONDecodeError where there is none.
+
+    >>> json_value_at("[1] and more", 0)
+    ([1], 3)
     """
     try:
         return _DECODER.raw_decode(text, place)

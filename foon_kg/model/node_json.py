@@ -8,7 +8,11 @@ from foon_kg.model.nodes import one_spelling
 
 
 def node_to_json(node: ObjectNode) -> JsonObject:
-    """Return the five fields of an object node."""
+    """Return the five fields of an object node.
+
+    >>> node_to_json(ObjectNode("egg", ("raw",), (), "in", "bowl"))["container"]
+    'bowl'
+    """
     return {
         "label": node.label,
         "states": list(node.states),
@@ -19,7 +23,12 @@ def node_to_json(node: ObjectNode) -> JsonObject:
 
 
 def node_from_json(fields: Fields) -> ObjectNode:
-    """Return the node of the ``fields`` that :func:`node_to_json` wrote."""
+    """Return the node of the ``fields`` that :func:`node_to_json` wrote.
+
+    >>> egg = ObjectNode("egg", ("raw",), (), "in", "bowl")
+    >>> node_from_json(Fields(node_to_json(egg), "node")) == egg
+    True
+    """
     return ObjectNode(
         fields.text("label"),
         fields.texts("states"),
@@ -30,20 +39,33 @@ def node_from_json(fields: Fields) -> ObjectNode:
 
 
 def recipe_to_json(recipe: Recipe) -> JsonObject:
-    """Return the ``recipe`` field of a plan result."""
+    """Return the ``recipe`` field of a plan result.
+
+    >>> recipe_to_json(Recipe("salad", (RequiredIngredient("onion", "chopped"),)))["ingredients"]
+    [{'object': 'onion', 'state': 'chopped'}]
+    """
     ingredients = [wanted_to_json(wanted) for wanted in recipe.ingredients]
     return {"id": recipe.id, "title": recipe.title, "dish_type": recipe.dish_type, "ingredients": ingredients}
 
 
 def wanted_to_json(wanted: RequiredIngredient) -> JsonObject:
-    """Return an asked food (``wanted``) with its state; how much and what for only where it says so."""
+    """Return an asked food (``wanted``) with its state; how much and what for only where it says so.
+
+    >>> wanted_to_json(RequiredIngredient("onion", "chopped", "2"))
+    {'object': 'onion', 'state': 'chopped', 'amount': '2'}
+    """
     told: JsonObject = {"object": wanted.object, "state": wanted.state}
     more = {"amount": wanted.amount, "part": wanted.part}
     return told | {name: value for name, value in more.items() if value}
 
 
 def recipe_from_json(fields: Fields) -> Recipe:
-    """Return the recipe of the ``fields`` that :func:`recipe_to_json` wrote."""
+    """Return the recipe of the ``fields`` that :func:`recipe_to_json` wrote.
+
+    >>> salad = Recipe("salad", (RequiredIngredient("onion", "chopped"),))
+    >>> recipe_from_json(Fields(recipe_to_json(salad), "recipe")) == salad
+    True
+    """
     ingredients = tuple(
         RequiredIngredient(
             i.text("object"), i.text("state"), *(i.text(name) if name in i else "" for name in ("amount", "part"))
@@ -54,7 +76,11 @@ def recipe_from_json(fields: Fields) -> Recipe:
 
 
 def measures_to_json(measures: Measures) -> JsonObject:
-    """Return how much, how long (s) and how hot (°C) ``measures`` say it is; what nobody says is left out."""
+    """Return how much, how long (s) and how hot (°C) ``measures`` say it is; what nobody says is left out.
+
+    >>> measures_to_json(Measures(("200 g flour",), celsius=180))
+    {'amounts': ['200 g flour'], 'celsius': 180}
+    """
     told: JsonObject = {"amounts": list(measures.amounts)} if measures.amounts else {}
     if measures.seconds is not None:
         told["seconds"] = measures.seconds
@@ -66,7 +92,11 @@ def measures_to_json(measures: Measures) -> JsonObject:
 
 
 def measures_from_json(fields: Fields) -> Measures:
-    """Read back what :func:`measures_to_json` wrote, from the field ``measures`` of a unit; none where it has none."""
+    """Read back what :func:`measures_to_json` wrote, from the field ``measures`` of a unit; none where it has none.
+
+    >>> measures_from_json(Fields({"measures": {"seconds": 60}}, "unit")).seconds
+    60.0
+    """
     if "measures" not in fields:
         return UNMEASURED
     told = fields.nested("measures")
@@ -81,7 +111,11 @@ def measures_from_json(fields: Fields) -> Measures:
 
 
 def sighting_to_json(sighting: Sighting) -> JsonObject:
-    """Return where a unit was seen, a ``sighting``; the place in the video is called ``unit``."""
+    """Return where a unit was seen, a ``sighting``; the place in the video is called ``unit``.
+
+    >>> sighting_to_json(Sighting("greek_salad", 3))["unit"]
+    3
+    """
     return {
         "video": sighting.video,
         "unit": sighting.position,
@@ -92,7 +126,12 @@ def sighting_to_json(sighting: Sighting) -> JsonObject:
 
 
 def sighting_from_json(fields: Fields) -> Sighting:
-    """Return the sighting of the ``fields`` that :func:`sighting_to_json` wrote."""
+    """Return the sighting of the ``fields`` that :func:`sighting_to_json` wrote.
+
+    >>> seen = Sighting("greek_salad", 3, None, 5.0, 9.0)
+    >>> sighting_from_json(Fields(sighting_to_json(seen), "sighting")) == seen
+    True
+    """
     return Sighting(
         one_spelling(fields.text("video")),
         fields.whole_number("unit"),

@@ -329,12 +329,24 @@ class TaskTree:
 
     @cached_property
     def leaves(self) -> tuple[ObjectNode, ...]:
-        """The inputs that no earlier unit outputs, in the order of their first use."""
+        """The inputs that no earlier unit outputs, in the order of their first use.
+
+        >>> egg, yolk = ObjectNode("egg"), ObjectNode("yolk")
+        >>> steps = Step.of([egg], "crack", [yolk]), Step.of([yolk], "beat", [])
+        >>> [str(node) for node in TaskTree("egg", steps).leaves]
+        ['egg']
+        """
         return leaves_of(self.units)
 
     @cached_property
     def nodes(self) -> tuple[ObjectNode, ...]:
-        """Every object node of the tree, in the order of appearance."""
+        """Every object node of the tree, in the order of appearance.
+
+        >>> egg, yolk = ObjectNode("egg"), ObjectNode("yolk")
+        >>> steps = Step.of([egg], "crack", [yolk]), Step.of([yolk], "beat", [])
+        >>> [str(node) for node in TaskTree("egg", steps).nodes]
+        ['egg', 'yolk']
+        """
         return nodes_of(self.units)
 
 

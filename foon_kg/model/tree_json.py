@@ -19,7 +19,13 @@ from foon_kg.model.tree import Grounding, Mention, Origin, Phase, Step
 
 
 def unit_to_json(unit: Step) -> JsonObject:
-    """Return one of the ``units`` of a plan result."""
+    """Return one of the ``units`` of a plan result.
+
+    >>> from foon_kg.model.nodes import ObjectNode
+    >>> peel = Step.of([ObjectNode("onion")], "peel", [ObjectNode("onion", ("peeled",))], "foon", ())
+    >>> list(unit_to_json(peel))
+    ['input_nodes', 'motion_node', 'output_nodes', 'origin', 'seen_in']
+    """
     told: JsonObject = {
         "input_nodes": _side_to_json(unit.inputs),
         "motion_node": unit.motion,
@@ -40,6 +46,11 @@ def unit_from_json(fields: Fields) -> Step:
     """Return the unit of the ``fields`` that :func:`unit_to_json` wrote. Raises ReadError for a word that no plan has.
 
     The judge reads units more freely (:mod:`foon_kg.validation.tree`): what a stranger's plan says is for its rules.
+
+    >>> from foon_kg.model.nodes import ObjectNode
+    >>> peel = Step.of([ObjectNode("onion")], "peel", [ObjectNode("onion", ("peeled",))], "foon", ())
+    >>> unit_from_json(Fields(unit_to_json(peel), "units[0]")) == peel
+    True
     """
     phase = fields.one_of("phase", get_args(Phase)) if "phase" in fields else None
     return replace(
@@ -53,7 +64,11 @@ def unit_from_json(fields: Fields) -> Step:
 
 
 def step_from_json(fields: Fields) -> Step:
-    """Return what a unit does to what, from its ``fields``; the step says nothing of what speaks for it."""
+    """Return what a unit does to what, from its ``fields``; the step says nothing of what speaks for it.
+
+    >>> step_from_json(Fields({"input_nodes": [], "motion_node": "wait", "output_nodes": []}, "units[0]")).motion
+    'wait'
+    """
     inputs, outputs = (tuple(map(_mention, fields.nested_list(f"{side}_nodes"))) for side in ("input", "output"))
     return Step(inputs, fields.text("motion_node"), outputs)
 
