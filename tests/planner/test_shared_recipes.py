@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
+from pathlib import Path
 
 import pytest
 from planner.public_foon import SHARED, answers_to, failures, faults, public_snapshot, verdicts_on
@@ -13,6 +15,10 @@ from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.result import PlanResult
 
 pytestmark = [pytest.mark.shared_data, pytest.mark.slow]
+
+PAGE = Path(__file__).parents[2] / "docs" / "how-to" / "evaluate.md"
+NEAR = 0.05
+"""So far from what is counted a figure of that page may be, as a share of it, and by one in any case."""
 
 ROBOT, COOK, ACCEPTED = 0.98, 0.98, 0.98
 """Measured: 0.995, 0.99 and 0.99."""
@@ -29,6 +35,12 @@ def answers(snapshot):
     folders = sorted((SHARED / "queries").iterdir())
     paths = [path for folder in folders for path in sorted(folder.glob("*.json"))]
     return answers_to(read_recipe(path, words).recipe for path in paths)
+
+
+@pytest.fixture(scope="module")
+def more_answers(snapshot):
+    words = IngredientWords(snapshot.vocabulary(), snapshot.kitchen)
+    return answers_to(read_recipe(path, words).recipe for path in sorted((SHARED / "queries-more").rglob("*.json")))
 
 
 @pytest.fixture(scope="module")
@@ -65,3 +77,20 @@ def test_so_many_trees_robot_and_cook_accept(answers, verdicts):
     assert verdicts.share(verdicts.robot) >= ROBOT
     assert verdicts.share(verdicts.cook) >= COOK
     assert verdicts.share(verdicts.accepted) >= ACCEPTED
+
+
+def figures_of(answers):
+    """Return how many were asked, how many trees are accepted, and the shares (%) of steps by their evidence."""
+    steps = Counter(unit.grounding for one in answers if isinstance(one, PlanResult) for unit in one.units)
+    shares = [100 * steps[word] / steps.total() for word in ("food", "like", "kind", "motion")]
+    return [len(answers), verdicts_on(answers).accepted, *shares]
+
+
+@pytest.mark.parametrize(
+    ("row", "asked"), [("drinks, omelettes and salads", "answers"), ("five other dish types", "more_answers")]
+)
+def test_the_page_on_evaluation_tells_these_figures(request, row, asked):
+    (line,) = (one for one in PAGE.read_text(encoding="utf-8").splitlines() if one.startswith(f"| {row} |"))
+    told = [float(cell) for cell in line.strip("| ").split("|")[1:]]
+    found = figures_of(request.getfixturevalue(asked))
+    assert [pair for pair in zip(told, found, strict=True) if abs(pair[0] - pair[1]) > max(1, NEAR * pair[1])] == []
