@@ -65,7 +65,7 @@ def nearer_goals(fits: Sequence[Fit], taken: Fit, dish_type: str) -> Iterator[Co
     rows.sort(key=lambda fit: (-fit.similarity, fit.frame.goal.sort_key))
     told = {taken.frame.goal}
     for fit in rows:
-        if fit.frame.goal not in told and len(told) <= MOST_NEARER:
+        if fit.frame.goal not in told and len(told) <= MOST_NEARER:  # the one that is taken is among those told
             told.add(fit.frame.goal)
             yield _considered(fit, taken)
 

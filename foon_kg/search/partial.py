@@ -13,6 +13,7 @@ from foon_kg.search.core import Core
 class Partial:
     """``chosen`` steps, ``decided`` nodes, and the nodes ``waiting``, each with the decided nodes that depend on it.
 
+    Sets of steps and of nodes are whole numbers, as in :class:`~foon_kg.search.core.Core`: bit 3 stands for number 3.
     As a node's producer must not depend on the node itself, the nodes above a waiting one are all that has to be known
     to keep a tree well-founded.
     """
@@ -30,6 +31,7 @@ class Partial:
             if needed in waiting:
                 waiting[needed] |= above
             elif decided >> needed & 1:
+                # its producer is chosen already: what is above this node is now above all that waits below that one
                 for other, others in waiting.items():
                     if others >> needed & 1:
                         waiting[other] = others | above
@@ -70,11 +72,12 @@ class Choice:
         return partial
 
     def _tightest(self, partial: Partial) -> tuple[int, list[int]]:
+        """Return the waiting node with the fewest options, and these: so a tree that cannot be is given up soonest."""
         tightest, fewest = -1, list[int]()
         for node in partial.waiting:
             options = self.options(partial, node)
             if tightest < 0 or len(options) < len(fewest):
                 tightest, fewest = node, options
-                if len(options) <= 1:
+                if len(options) <= 1:  # nothing is tighter: take it at once, or give up
                     break
         return tightest, fewest

@@ -16,6 +16,7 @@ from foon_kg.world.running import is_runny
 _AS_POWDER = 5
 """How fine what is ground is (:class:`~foon_kg.food.rows.State`)."""
 
+# a step that cuts as well as one of these (a food processor) may leave a powder
 _MILLS = ("grind", "blend", "mash", "grate", "squeeze")
 
 
@@ -24,6 +25,7 @@ def picked_up(case: Case) -> Iterator[Finding]:
     for played_step in case.played_steps:
         if played_step.step.motion not in word_list("picks up") or _has_scoop(played_step):
             continue
+        # by identity: a lump is the same one whatever becomes of it, and two may look alike
         moved = {id(lump) for lump, before, now in played_step.moved if now is not None and before is not now}
         for node, lump in played_step.outputs.items():
             if id(lump) in moved and is_runny(node.label, node.states, sorted(node.ingredients), case.tables):
@@ -46,8 +48,9 @@ def by_no_tool(case: Case) -> Iterator[Finding]:
 def lifted_loose(case: Case) -> Iterator[Finding]:
     """Yield a finding for each small thing of ``case`` that a step is said to lift out of a liquid: tongs find none."""
     for played_step in case.played_steps:
-        takes_out = played_step.step.motion in word_list("takes out")
-        for lump in _lifted(played_step, case) if takes_out and not _has_scoop(played_step) else ():
+        if played_step.step.motion not in word_list("takes out") or _has_scoop(played_step):
+            continue
+        for lump in _lifted(played_step, case):
             if _is_strewn(lump):
                 yield Finding("W4", f"{lump.label} lies loose in a liquid, and is lifted out", played_step.number)
 
@@ -193,7 +196,7 @@ def used_up(case: Case) -> Iterator[Finding]:
                 yield Finding("W1", reason, place, (node,))
         kept = {mention.thing for mention in unit.outputs}
         for thing in taken:
-            if thing not in kept:
+            if thing not in kept:  # it went into another thing, which has a number of its own
                 spent.setdefault(thing, place)
 
 

@@ -158,6 +158,7 @@ def out_of_nowhere(case: Case) -> Iterator[Finding]:
             if claimed:
                 reason = f"{mention.node.label} is {', '.join(claimed)} now, and no step made it so"
                 yield Finding("W4", reason, place, (mention.node,))
+        # a thing without a number cannot be followed: nobody knows which of two onions was chopped
         last.update((one.thing, one.node) for one in unit.outputs if one.thing is not None)
 
 
@@ -171,6 +172,7 @@ def _claimed(mention: Mention, last: Mapping[int, ObjectNode], case: Case) -> li
 
 
 def _takes_work(case: Case, state: str) -> bool:
+    """Whether somebody has to make a food so: it is not sold so, and it counts as treated or is in pieces then."""
     row = case.tables.state(state)
     return not row.sold and bool(row.earns or row.fine)
 
@@ -185,7 +187,7 @@ def second_of_one(case: Case) -> Iterator[Finding]:
                 continue
             if not mention.node.ingredients:
                 full = {name: number for name, number in full.items() if number != thing}
-            elif full.setdefault(label, thing) != thing:
+            elif full.setdefault(label, thing) != thing:  # told once: from here on this one is the full one
                 yield Finding("W4", f"the {label} is full, and there is no second one", place, (mention.node,))
                 full[label] = thing
 

@@ -36,6 +36,7 @@ def _has_cooled(part: Part, other: Part) -> bool:
     """Whether a food cooled after its last heating, and not only together with another, or was never hot."""
     if part.heated is None:
         return True
+    # what cools in the same step as the other lies with it already, and has warmed it
     return part.cooled is not None and part.cooled > part.heated and part.cooled != other.cooled
 
 
@@ -46,7 +47,7 @@ def lumpy(case: Case) -> Iterator[Finding]:
     """
     if any(part.food.is_any(word_list("makes no sauce of what binds")) for part in case.parts):
         return
-    hot: defaultdict[int, set[str]] = defaultdict(set)
+    hot: defaultdict[int, set[str]] = defaultdict(set)  # by the identity of the vessel: two pots may look alike
     for played_step in case.played_steps:
         for lump, _, vessel in played_step.moved:
             names = hot.get(id(vessel), set()) if vessel is not None else set()

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
-from foon_kg.formats.pictures.svg import Line, as_text, element, height_of, picture, wrapped, write_line
+from foon_kg.formats.pictures.svg import Line, as_text, element, height_of, picture, wrapped, write_line, write_lines
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import UNSEEN_SIGN
 from foon_kg.plans.progress import ProgressLine, ProgressStep
@@ -120,10 +120,8 @@ class _Sheet:
         }
         frame |= {"rx": 8} | ({"stroke-dasharray": _DASHED} if band.unseen else {})
         element(root, "rect", frame, "band", *(["unseen-box"] if band.unseen else []))
-        foot = top + ((band.height - height_of(band.names)) / 2 if self.aside else _BAND_EDGE)
-        for line in band.names:
-            foot += line.size * 1.25
-            write_line(root, line, _EDGE, foot - line.size * 0.32, anchor="start")
+        head = top + ((band.height - height_of(band.names)) / 2 if self.aside else _BAND_EDGE)
+        foot = write_lines(root, band.names, _EDGE, head, anchor="start")
         self._draw_rows(root, band.rows, top + _BAND_EDGE if self.aside else foot + _GAP)
 
     def _draw_rows(self, root: ET.Element, rows: Sequence[Sequence[_Piece]], top: float) -> None:
@@ -162,7 +160,4 @@ def _draw_piece(root: ET.Element, piece: _Piece, x: float, middle: float) -> Non
     if piece.kind:
         box: dict[str, object] = {"x": x, "y": top, "width": piece.width, "height": piece.height, "rx": 8}
         element(root, "rect", box, piece.kind)
-    foot = middle - height_of(piece.lines) / 2
-    for line in piece.lines:
-        foot += line.size * 1.25
-        write_line(root, line, x + piece.width / 2, foot - line.size * 0.32)
+    write_lines(root, piece.lines, x + piece.width / 2, middle - height_of(piece.lines) / 2)

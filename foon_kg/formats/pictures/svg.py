@@ -6,11 +6,14 @@ Colours are written at every element, so that any program shows them; a style sh
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
 FONT = "Helvetica, Arial, 'Liberation Sans', sans-serif"
+_LEADING, _DESCENT = 1.25, 0.32
+"""From one line to the next, and from the foot of its letters to where the next begins, as shares of their size."""
+
 _NAMESPACE = "http://www.w3.org/2000/svg"
 _UNWRITABLE = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _NARROW = frozenset("ijltfrI.,:;'|!()[]{} -")
@@ -133,7 +136,18 @@ def wrapped(text: str, width: float, size: float, most: int = 3) -> list[str]:
 
 def height_of(lines: Sequence[Line]) -> float:
     """Return how high lines are, one under the other."""
-    return sum(line.size * 1.25 for line in lines)
+    return sum(line.size * _LEADING for line in lines)
+
+
+def write_lines(parent: ET.Element, lines: Iterable[Line], x: float, top: float, *, anchor: str = "middle") -> float:
+    """Write ``lines`` into ``parent`` one under the other from ``top`` down, and return where the last one ends.
+
+    ``x`` is where the ``anchor`` (start, middle or end) of each is; all in pixels.
+    """
+    for line in lines:
+        top += line.size * _LEADING
+        write_line(parent, line, x, top - line.size * _DESCENT, anchor=anchor)
+    return top
 
 
 def number(value: float) -> str:

@@ -20,6 +20,7 @@ from foon_kg.formats.pictures.svg import (
     wrapped,
     writable,
     write_line,
+    write_lines,
 )
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import UNSEEN_SIGN
@@ -125,10 +126,7 @@ class _Picture:
         ET.SubElement(group, "title").text = writable(self._told(box))
         attributes: dict[str, object] = {"x": x - width / 2, "y": y - height / 2, "width": width, "height": height}
         element(group, "rect", attributes | _manner(box, self.tree.unseen), *_paint(box, self.tree.unseen))
-        foot = y - height_of(self.texts[place]) / 2
-        for line in self.texts[place]:
-            foot += line.size * 1.25
-            write_line(group, line, x, foot - line.size * 0.32)
+        write_lines(group, self.texts[place], x, y - height_of(self.texts[place]) / 2)
 
     def _told(self, box: ObjectBox | MotionBox) -> str:
         if isinstance(box, ObjectBox):

@@ -116,12 +116,13 @@ def _boiling(stages: Sequence[Stage]) -> Stage:
     hot = [stage for stage in stages if stage.heats]
     found = [stage for stage in hot if stage.source == "heat" and "dry" not in stage.does]
     stage = found[-1] if found else _SIMMERED
+    # slots stay, its water among them; a line that joins there is made of the video's own foods
     return replace(stage, adds=tuple(add for add in stage.adds if isinstance(add, Slot)))
 
 
 def _with_stages(joins: Sequence[Join], works: tuple[Stage, ...]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line of these stages, at the first of which all joins that is not strewn on what is served."""
-    stages = (*works, replace(_SERVED))
+    """Return a line of the stages ``works`` and serving; all joins at the first but what is strewn on the dish."""
+    stages = (*works, replace(_SERVED))  # a copy: joins find their stage by identity, and each dish has its own
     found = []
     for join in joins:
         late = is_strewn(join) or join.want.facts.is_any(word_list("floats on top"))

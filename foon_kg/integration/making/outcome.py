@@ -105,7 +105,7 @@ class Outcome:
         ``product``: they are one thing then; ``finished``: it is not heated any more.
         """
         does = self.known.motion(way[0]).does
-        by_hand = does.isdisjoint(HEATS)
+        by_hand = does.isdisjoint(HEATS)  # to turn what is in a pan cooks it besides, and is told by that
         if "turn" in does and by_hand and len(vessel.contents) == 1:
             return tuple(sorted({*vessel.contents[0].states, "flipped"}))
         states = set[str]()

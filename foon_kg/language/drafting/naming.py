@@ -19,6 +19,7 @@ def renamed(rows: Sequence[Row], label: str, name: str) -> list[Row]:
     found = list(rows)
     for place, row in units:
         if made is not None and place >= made:
+            # what goes into the unit that makes the mixture is another thing, though it is called alike
             found[place] = _in_unit(row, label, name, inputs=place > made)
     return found
 
@@ -46,6 +47,7 @@ def _in_unit(row: DraftUnit, label: str, name: str, *, inputs: bool) -> DraftUni
     unit = row.annotation.unit
     before = _side(unit.inputs, label, name) if inputs else unit.inputs
     changed = FunctionalUnit(before, unit.motion, _side(unit.outputs, label, name), unit.accepts_any)
+    # that nobody knew what it is called is no doubt any more
     doubts = tuple(doubt for doubt in row.doubts if not doubt.endswith(f"called “{label}”"))
     return replace(row, annotation=Annotation(changed, row.annotation.timing), doubts=doubts)
 
