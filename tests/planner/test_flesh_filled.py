@@ -84,3 +84,77 @@ def test_fruit_that_a_title_says_is_in_a_glaze_is_in_no_ball(steps):
                  "eggs:beaten", "milk:liquid", "pineapple:canned", "brown sugar:granulated",
                  "vinegar:liquid")  # fmt: skip
     assert "pineapple" not in inside(told, "shape")
+
+
+def test_dumplings_are_no_liquid_that_a_bird_is_stewed_in(steps):
+    told = steps("chicken", "Chicken and Dumplings", "chicken:cut", "carrots:sliced", "onion:chopped", "bay leaf:whole",
+                 "flour:powder", "baking powder:powder", "milk:liquid", "butter:unmelted")  # fmt: skip
+    assert first(told, "water", "pour") < motions(told).index("simmer")
+
+
+@pytest.mark.parametrize("title", ["Pizza Meatloaf", "Cheeseburger Meatloaf", "Taco Meatloaf"])
+def test_what_a_loaf_tastes_like_asks_for_no_dough(steps, title):
+    told = steps("meatloaf", title, "ground beef:raw", "breadcrumbs:crumbs", "egg:uncooked", "cheddar:shredded")
+    assert {"mix", "shape", "bake"} <= set(motions(told))
+
+
+def test_steak_and_kidney_are_steamed_in_a_crust_of_suet(steps):
+    told = steps("steak", "Steak and Kidney Pudding", "stewing steak:diced", "kidney:chopped", "flour:powder",
+                 "onion:chopped", "beef stock:liquid", "self-raising flour:powder", "suet:shredded",
+                 "water:liquid")  # fmt: skip
+    assert {"self-raising flour", "suet"} <= inside(told, "roll")
+    assert "pudding basin" in taking(told, "steam")
+
+
+def test_lentils_of_a_loaf_are_cooked_in_the_stock_listed_for_them(steps):
+    told = steps("meatloaf", "Cheesy Lentil Loaf", "red lentils:dried", "vegetable stock:liquid", "onion:chopped",
+                 "oil:liquid", "cheddar:grated", "egg:beaten", "breadcrumbs:crumbs")  # fmt: skip
+    assert {"red lentils", "vegetable stock"} <= taking(told, "simmer")
+    assert "red lentils" in inside(told, "bake")
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "title", "flesh", "sauce"),
+    [
+        ("roast", "Rib Roast with Horseradish Cream", "rib roast:raw", ("sour cream:creamy", "horseradish:creamy")),
+        ("seafood", "Tuna Steaks with Wasabi Mayo", "tuna steaks:raw", ("mayonnaise:creamy", "wasabi paste:creamy")),
+    ],
+)  # fmt: skip
+def test_a_cold_sauce_that_a_title_names_is_stirred_and_not_heated(steps, dish_type, title, flesh, sauce):
+    told = steps(dish_type, title, flesh, "olive oil:liquid", "salt:granulated", *sauce)
+    names = {one.partition(":")[0] for one in sauce}
+    assert names <= taking(told, "stir") | taking(told, "mix")
+    assert not names & (taking(told, "bake") | taking(told, "cook") | taking(told, "brush"))
+
+
+def test_a_ham_is_boiled_with_what_seasons_it_and_roasted_under_its_glaze(steps):
+    told = steps("roast", "Honey Roast Gammon", "gammon joint:raw", "onion:halved", "peppercorns:whole",
+                 "bay leaves:whole", "honey:thick liquid", "mustard:creamy")  # fmt: skip
+    assert "honey" not in taking(told, "boil")
+    assert motions(told).index("boil") < motions(told).index("bake")
+
+
+def test_a_dipping_sauce_is_not_boiled_with_the_meat(steps):
+    told = steps("roast", "Lechon Kawali", "pork belly:raw", "water:liquid", "bay leaves:whole", "oil:liquid",
+                 "vinegar:liquid:sauce", "soy sauce:liquid:sauce", "onion:chopped:sauce")  # fmt: skip
+    assert "vinegar" in inside(told, "stir")
+    assert not {"vinegar", "onion"} & taking(told, "simmer")
+
+
+@pytest.mark.parametrize("title", ["Low Country Shrimp Boil", "Seafood Boil"])
+def test_a_boil_of_shellfish_is_boiled(steps, title):
+    told = steps("seafood", title, "shrimp:raw", "red potatoes:whole", "smoked sausage:cut", "corn:halved",
+                 "Old Bay seasoning:ground", "lemons:halved")  # fmt: skip
+    assert {"red potatoes", "shrimp"} <= taking(told, "boil")
+
+
+def test_rolls_are_filled_and_not_fried_with_smoked_sausage(steps):
+    told = steps("sausage", "Linguica with Peppers on Rolls", "linguica:sliced", "green peppers:sliced",
+                 "onions:sliced", "olive oil:liquid", "red wine:liquid", "rolls:whole")  # fmt: skip
+    assert "rolls" not in taking(told, "cook and stir")
+
+
+def test_sausages_of_cheese_are_shaped_and_turned_in_crumbs(steps):
+    told = steps("sausage", "Glamorgan Sausages", "Caerphilly cheese:grated", "breadcrumbs:crumbs", "leek:chopped",
+                 "butter:unmelted", "eggs:separated", "milk:liquid", "oil:liquid")  # fmt: skip
+    assert {"shape", "dip", "flip"} <= set(motions(told))
