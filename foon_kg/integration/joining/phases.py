@@ -273,9 +273,10 @@ class _Phaser:
         return (self.plan.one_pot or seasoned) and not binds and not held
 
     def _bath_of(self, line: Line) -> list[Join]:
-        """Return what of a line may be liquid to cook in: not drained water, nor what eggs are beaten with."""
+        """Return what of a line may be liquid to cook in: not drained water, what eggs are beaten with, or a dough."""
         foods = self._foods(line)
-        return [] if self._strains(line.stages[-1]) or any_is(foods, "egg") else foods
+        held = any("shape" in stage.does for stage in line.stages) or any_is(foods, "egg")
+        return [] if held or self._strains(line.stages[-1]) else foods
 
     def _phase_of_line(self, line: Line, *, bath: bool) -> str:
         """Return when what is made beside the vessel joins.
