@@ -29,6 +29,7 @@ from foon_kg.web.explore.cypher import CypherDesk
 from foon_kg.web.explore.routes import router as explore_router
 from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit
 from foon_kg.web.metrics import Metered, Metrics
+from foon_kg.web.pages import explore_page, plan_page, teach_page
 from foon_kg.web.questions import (
     BusyError,
     ExamplesQuestion,
@@ -129,11 +130,12 @@ def web_app(
     app.include_router(teach_router, prefix="/api", responses=REFUSALS)
     app.add_api_route("/picture.css", _picture_colours, include_in_schema=False)
     app.add_api_route("/stage.js", _stage, include_in_schema=False)
-    app.add_api_route("/explore", _explore_page, include_in_schema=False)
+    app.add_api_route("/explore", explore_page, include_in_schema=False)
     app.mount("/explore", StaticFiles(directory=_folder("foon_kg.web.explore")))
-    app.add_api_route("/teach", _teach_page, include_in_schema=False)
+    app.add_api_route("/teach", teach_page, include_in_schema=False)
     app.mount("/teach", StaticFiles(directory=_folder("foon_kg.web.teach")))
-    app.mount("/", StaticFiles(directory=_folder("foon_kg.web"), html=True))
+    app.add_api_route("/", plan_page, methods=["GET", "HEAD"], include_in_schema=False)
+    app.mount("/", StaticFiles(directory=_folder("foon_kg.web")))
     metrics.paths = _paths(app.routes, ("", router), ("", watching), ("/api", explore_router), ("/api", teach_router))
     app.add_exception_handler(FoonError, _error_response)
     app.add_exception_handler(RequestValidationError, _invalid)
@@ -303,18 +305,6 @@ def _stage() -> Response:
 def _api_described(request: Request) -> Response:
     """Return the page that describes the API: what a browser would have to run for it is against its policy."""
     return Response(api_page(request.app.openapi()), media_type="text/html")
-
-
-def _explore_page() -> Response:
-    """Return the page of the explorer; all that it names is relative, as a proxy may serve it below a path."""
-    page = resources.files("foon_kg.web.explore").joinpath("explore.html").read_text(encoding="utf-8")
-    return Response(page, media_type="text/html")
-
-
-def _teach_page() -> Response:
-    """Return the page that teaches."""
-    page = resources.files("foon_kg.web.teach").joinpath("teach.html").read_text(encoding="utf-8")
-    return Response(page, media_type="text/html")
 
 
 def _folder(package: str) -> Path:

@@ -8,6 +8,8 @@ from collections.abc import Iterator, Mapping
 from html import escape
 from typing import Any
 
+from foon_kg.web.pages import navigation
+
 Described = Mapping[str, Any]
 """A part of an OpenAPI document."""
 
@@ -28,7 +30,7 @@ _HEAD = """<!doctype html>
 <body>
 <header>
   <p class="brand"><strong>foon</strong> <span class="aside">the API</span></p>
-  <nav aria-label="Pages"><a href="../">Plan a dish</a> <a href="../explore">Explore</a></nav>
+  <!-- navigation -->
 </header>
 <main>
 <h1>The API of this service</h1>
@@ -51,7 +53,7 @@ def api_page(document: Described) -> str:
     shown = sorted(name for name in schemas if name not in {"HTTPValidationError", "ValidationError"})
     return "".join(
         (
-            _HEAD,
+            _HEAD.replace("<!-- navigation -->", navigation(up="../")),
             _list(_link(_anchor(path, method), f"{method} {path}") for path, method, _ in asked),
             *(_operation(path, method, one, schemas) for path, method, one in asked),
             "<h2>What is asked and answered</h2>",

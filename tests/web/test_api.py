@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import re
 import threading
+from urllib.parse import urljoin
 
 import pytest
 from fastapi.testclient import TestClient
@@ -347,3 +349,16 @@ def test_what_is_too_long_is_told_in_plain_words(client):
     assert told.status_code == 422
     assert told.json()["error"]["message"] == f"“{'x' * 40}…” is longer than 100 characters"
     assert "body.ingredients.1" in told.json()["error"]["hint"]
+
+
+@pytest.mark.parametrize(
+    ("path", "here"), [("/", "#"), ("/explore", "explore"), ("/teach", "teach"), ("/api/docs", None)]
+)
+def test_each_page_leads_to_all_and_asks_for_the_token(client, path, here):
+    page = client.get(path).text
+    (links,) = re.findall(r'<nav aria-label="Pages">(.*?)</nav>', page, re.DOTALL)
+    assert re.findall(r">([\w ]+)</a>", links) == ["Plan a dish", "Explore", "Teach"]
+    assert re.findall(r'href="([^"]*)" aria-current="page"', links) == ([here] if here else [])
+    assert page.count('<form id="token-form">') == (1 if here else 0)
+    addresses = re.findall(r'href="([^"]*)"', links)
+    assert {client.get(urljoin(path, one)).status_code for one in addresses} == {200}
