@@ -73,6 +73,14 @@ class FoodTable:
                 return next((state for state in sorted(states) if self.food(label, [state]).kind != kind), "")
         return ""
 
+    def as_spooned(self, label: str, measures: Iterable[str]) -> str:
+        """Return "ground" of a spice, ``label``, that a teaspoon ``measures``, as nobody fills one with whole ones.
+
+        ``""`` of any other food or measure.
+        """
+        spooned = not word_list("measures what is ground").isdisjoint(measures)
+        return "ground" if spooned and singular(label) in word_list("is ground in a spoon") else ""
+
     def find(self, label: str) -> tuple[str, str, Match]:
         """Return the kind of ``label``, the name of the table that it was found as, and how: the longest phrase."""
         name = self._in_singular(label)

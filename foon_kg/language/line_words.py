@@ -111,13 +111,19 @@ def as_bought(line: RecipeLine, so: Sequence[str] = ()) -> RecipeLine:
     line = replace(line, object=name)
     if tables().utensil(name) is not None and not tables().foods.is_listed(name):
         return replace(line, object=None, left_over=(*line.left_over, name))
-    if canned := tables().foods.as_measured(name, [line.unit]):
-        states = (canned, *(state for state in line.states if state not in {canned, *so}))
+    if measured := _as_measured(name, line):
+        states = (measured, *(state for state in line.states if state not in {measured, *so}))
         return replace(line, state=asked_state(states, tables()), states=states)
     first, rest = line.states[:1], line.states[1:]
     if not rest or not is_bought_so(first[0], name):
         return line
     return replace(line, object=f"{first[0]} {name}", state=asked_state(rest, tables()), states=rest)
+
+
+def _as_measured(name: str, line: RecipeLine) -> str:
+    """Return the state that the unit of ``line`` says of its food; of a spice only where the line says none."""
+    foods, units = tables().foods, [line.unit]
+    return foods.as_measured(name, units) or ("" if line.states else foods.as_spooned(name, units))
 
 
 def _without_praise(name: str) -> str:

@@ -118,7 +118,7 @@ class IngredientWords:
         amount = counting(rest)
         measure, others = rest[:amount], rest[amount:]
         processed = [state for state in states if not self.kitchen.is_start_state(food, state)]
-        unknown = " ".join(others) or tables().foods.as_measured(food, (word.lower() for word in measure))
+        unknown = " ".join(others) or _as_measured(food, [word.lower() for word in measure])
         state = asked_state(processed or list(states) or [unknown], tables())
         wanted, notes = self.with_state(RequiredIngredient(food, state, amount_of(measure)))
         left_out = _left_out(text, wanted, (*states, *others))
@@ -219,6 +219,12 @@ class IngredientWords:
         rows = [row for row in self.vocabulary.foods if row.state and self.kitchen.is_start_state(row.label, row.state)]
         rows.sort(key=lambda row: (row.used, row.state))
         return {canonical(row.label): row.state for row in rows}
+
+
+def _as_measured(food: str, measure: Sequence[str]) -> str:
+    """Return the state that the words of a measure say of a food; ``""`` where they say none."""
+    foods = tables().foods
+    return foods.as_measured(food, measure) or foods.as_spooned(food, measure)
 
 
 def _left_out(text: str, wanted: RequiredIngredient, words: Iterable[str]) -> Iterator[str]:

@@ -318,3 +318,57 @@ def test_fruit_is_blended_before_it_comes_to_a_drink_that_meal_thickens(steps):
                  "water:liquid")  # fmt: skip
     assert "strawberries" in inside(told, "blend")
     assert motions(told).index("blend") < motions(told).index("cook and stir")
+
+
+def test_dried_fruit_is_cooked_soft_before_dough_is_closed_around_it_and_fried(steps):
+    told = steps("pie", "Fried Apricot Pies", "apricots:dried", "water:liquid", "sugar:granulated", "flour:powder",
+                 "salt:granulated", "shortening:creamy", "water:cold", "vegetable oil:liquid")  # fmt: skip
+    assert inside(told, "cook and stir") >= {"apricots", "sugar"}
+    assert inside(told, "knead") == {"flour", "shortening", "salt", "water"}
+    assert "bake" not in motions(told)
+
+
+def test_whites_of_a_chiffon_pie_are_folded_into_gelatin_and_not_baked(steps):
+    told = steps("pie", "Raspberry Chiffon Pie", "pie shell:baked", "gelatin:powder", "water:cold",
+                 "egg whites:uncooked", "sugar:granulated", "raspberries:crushed", "heavy cream:whipped")  # fmt: skip
+    assert first(told, "pie shell", "bake") < first(told, "egg whites", "fold") < motions(told).index("chill")
+    assert motions(told).count("bake") == 1
+    assert "heavy cream" not in inside(told, "cook and stir")
+
+
+def test_jam_lies_under_the_custard_of_a_tart_that_is_made_so(steps):
+    told = steps("pie", "Manchester Tart", "shortcrust pastry:raw", "raspberry jam:jelly", "milk:liquid",
+                 "egg yolks:uncooked", "sugar:granulated", "custard powder:powder")  # fmt: skip
+    assert "raspberry jam" not in inside(told, "cook and stir")
+    assert motions(told).index("bake") < first(told, "raspberry jam", "scoop") < motions(told).index("chill")
+
+
+def test_milk_is_made_warm_before_rennet_comes_to_it(steps):
+    told = steps("pudding", "Junket", "milk:liquid", "sugar:granulated", "rennet:whole", "nutmeg:ground")
+    assert "rennet" not in inside(told, "cook and stir")
+    assert motions(told).index("cook and stir") < first(told, "rennet", "stir")
+
+
+def test_rice_of_a_pudding_swells_before_its_sweet_milk_comes_to_it(steps):
+    told = steps("pudding", "Arroz con Dulce", "rice:uncooked", "water:liquid", "cinnamon sticks:whole",
+                 "coconut milk:liquid", "sugar:granulated", "raisins:whole")  # fmt: skip
+    assert "strainer" not in {node.label for _, _, outputs in told for node in outputs}
+    assert first(told, "rice", "cook and stir") < last(told, "coconut milk")
+    assert "cinnamon sticks" not in told[-1][2][0].ingredients
+
+
+def test_a_cream_pie_that_is_called_so_gets_its_meringue(steps):
+    told = steps("pie", "Banana Cream Pie with Meringue", "pie shell:baked", "sugar:granulated", "flour:powder",
+                 "milk:liquid", "egg yolks:uncooked", "bananas:sliced", "egg whites:uncooked",
+                 "sugar:granulated")  # fmt: skip
+    assert "egg whites" not in inside(told, "cook and stir")
+    assert motions(told).count("bake") == 2
+    assert first(told, "bananas", "pour") < last(told, "egg whites")
+
+
+def test_butter_is_melted_for_what_is_baked_rich_in_a_crust(steps):
+    told = steps("pie", "Nutty Fudge Pie", "pie shell:raw", "butter:unmelted", "sugar:granulated", "eggs:uncooked",
+                 "flour:powder", "cocoa:powder", "walnuts:chopped")  # fmt: skip
+    assert "melted" in {
+        state for _, _, outs in told for node in outs if node.label == "butter" for state in node.states
+    }
