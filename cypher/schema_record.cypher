@@ -5,5 +5,5 @@
 // param: methods STRING
 // mode: write
 MERGE (f:Foon {name: 'foon-kg'})
-  ON CREATE SET f.writes = 0, f.states = [], f.state_objects = []
+  ON CREATE SET f.writes = 0, f.states = [], f.state_objects = [], f.foods = 0
 SET f.version = $version, f.kitchen = $kitchen, f.methods = $methods

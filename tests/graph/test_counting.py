@@ -11,6 +11,7 @@ from foon_kg.model.errors import GraphError
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import load, remove
 from foon_kg.store.graph.counting import count
+from foon_kg.store.graph.statements import SIZE, ask
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.store.statistics import Statistics
 
@@ -57,12 +58,38 @@ def test_states_that_nobody_counted_are_looked_for_and_stay_uncounted(connection
     assert count(connection) == in_memory(salad, omelette)
 
 
+def foods_kept_and_there(connection):
+    with connection.session() as session:
+        kept, there = session.run(
+            "MATCH (f:Foon) RETURN f.foods, COUNT { MATCH (i:Ingredient) WHERE EXISTS { (i)-[:SEEN_AS]->() } RETURN i }"
+        ).single()
+    return kept, there
+
+
+def test_foods_are_counted_with_each_load_and_where_nobody_did_they_are_looked_for(connection):
+    load(connection, [salad, omelette])
+    kept, there = foods_kept_and_there(connection)
+    assert kept == there > 0
+    with connection.session(writing=True) as session:
+        session.run("MATCH (f:Foon) SET f.foods = 1").consume()
+        assert session.execute_read(ask, SIZE)[0].foods == 1
+        session.run("MATCH (f:Foon) REMOVE f.foods").consume()
+        assert session.execute_read(ask, SIZE)[0].foods == there
+    remove(connection, ["other"])
+    assert foods_kept_and_there(connection)[0] is None
+
+
 @settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(foons())
 def test_any_foon_is_counted_as_in_memory(connection, subgraphs):
     load(connection, subgraphs)
     assert count(connection) == in_memory(*subgraphs)
-    remove(connection, [subgraph.name for subgraph in subgraphs])
+    kept, there = foods_kept_and_there(connection)
+    assert kept == there
+    for one in subgraphs:
+        remove(connection, [one.name])
+        kept, there = foods_kept_and_there(connection)
+        assert kept == there
 
 
 def test_a_graph_without_a_foon_is_said_to_be_empty(connection):

@@ -147,7 +147,7 @@ class Writer:
 
     def recount(self) -> None:
         """Count what each load adds to, where nobody counted it yet, or what was counted is gone."""
-        self._ask(cypher.RECOUNT_STATES)
+        self._ask(cypher.RECOUNT_WORDS)
 
     def forget_methods(self, most: int) -> bool:
         """Take away some of what was learnt, at ``most`` so many nodes; return whether there was any."""

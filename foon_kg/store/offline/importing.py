@@ -27,7 +27,7 @@ from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.disk import explain_os_error
 from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.schema import prepare_for_writing
-from foon_kg.store.graph.statements import COMPLETE_LISTS, HOLDS_SOMETHING, RECOUNT_STATES, ask
+from foon_kg.store.graph.statements import COMPLETE_LISTS, HOLDS_SOMETHING, RECOUNT_WORDS, ask
 from foon_kg.store.offline.csv_files import write_csv_files
 from foon_kg.store.offline.staged import Staged
 from foon_kg.store.offline.staging import Stager
@@ -130,7 +130,7 @@ def _complete(settings: ConnectionSettings) -> None:
     """Make of what was imported a FOON that this program reads and writes: its lists, constraints and indexes."""
     with Connection(settings) as connection, connection.session(writing=True) as session:
         session.run(named_query(COMPLETE_LISTS.name).text).consume()
-        session.execute_write(ask, RECOUNT_STATES)
+        session.execute_write(ask, RECOUNT_WORDS)
         prepare_for_writing(session, Kitchen.default())
 
 
