@@ -372,3 +372,8 @@ def test_butter_is_melted_for_what_is_baked_rich_in_a_crust(steps):
     assert "melted" in {
         state for _, _, outs in told for node in outs if node.label == "butter" for state in node.states
     }
+
+
+def test_what_is_dipped_into_a_dip_is_no_part_of_it(steps):
+    told = steps("sauce", "Caramel Apple Dip", "cream cheese:softened", "brown sugar:granulated", "vanilla:liquid")
+    assert set(told[-1][2][-1].ingredients) == {"cream cheese", "brown sugar", "vanilla"}
