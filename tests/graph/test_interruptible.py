@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import time
+from itertools import product
 
 import neo4j
 import psutil
 import pytest
-from hypothesis import given, settings
+from examples import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import SALAD, subgraph
 
@@ -36,6 +38,9 @@ WRITTEN = {
     "size([x IN range(1, 1000000) | [x]]) } RETURN 1 AS n",
     "a change": "MATCH (v:Video) SET v.n = reduce(n = 0, x IN range(1, 20 * 1000000) | n + x) RETURN 1 AS n",
 }  # fmt: skip
+
+BEARABLE = "'.*b.*'"
+"""A pattern that takes no time, however long a text may be."""
 
 
 def net(nodes):
@@ -202,25 +207,27 @@ def test_a_pattern_that_people_ask_for_is_asked(question):
 
 
 @pytest.mark.neo4j
-@pytest.mark.parametrize("write", [False, True])
 @pytest.mark.parametrize(
     ("pattern", "most"),
     [
-        ("'.*b.*'", 10_000),
+        (BEARABLE, 10_000),
         ("'.*a' + '.*a.*b'", 464),
         ("'a?.*a.*a.*b'", 368),
         ("'(a|b)(a|a).*.*'+ 'b'", 5_000),
         ("'" + "a?" * 10 + ".*b'", 97_656),
     ],
 )
-def test_a_text_is_no_longer_than_its_pattern_bears(served, pattern, most, write):
-    """Three times “as many as there are”, and a text of 100,000 characters: no server lets go of that for days."""
+def test_a_text_is_no_longer_than_its_pattern_bears(served, pattern, most):
+    """Three times “as many as there are”, and a text of 100,000 characters: no server lets go of that for days.
+
+    Where writing was allowed the same is refused; the longest that is matched there is so once, as it takes seconds.
+    """
     question = (
         f"WITH {{a: $text}} AS m RETURN substring(m.a, 0) =~ {pattern} AS n, [x IN [$text] WHERE x =~ {pattern} | 1]"
     )
-    answer = ask_freely(served[1], question, {"text": "a" * most}, write=write)
-    assert answer.rows == ((False, []),)
-    for length in (most + 1, 100_000):
+    for write in (False, True) if pattern == BEARABLE else (False,):
+        assert ask_freely(served[1], question, {"text": "a" * most}, write=write).rows == ((False, []),)
+    for length, write in product((most + 1, 100_000), (False, True)):
         with pytest.raises(GraphError, match=f"than its pattern bears: {most:,} characters") as refused:
             ask_freely(served[1], question, {"text": "a" * length}, write=write)
         assert refused.value.code == "too-much"
@@ -278,7 +285,7 @@ def test_a_plain_pattern_is_asked(served, pattern):
 
 
 @pytest.mark.neo4j
-@settings(max_examples=100)
+@examples(50)
 @given(
     st.builds(str.format, st.sampled_from(FORMS), list=st.sampled_from(LISTS), condition=st.sampled_from(CONDITIONS),
               done=st.sampled_from(DONE)),
