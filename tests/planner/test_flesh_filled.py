@@ -35,7 +35,7 @@ def test_cordon_bleu_has_its_cheese_inside_and_its_sauce_on_top(steps):
 
 
 def test_bacon_is_wrapped_around_a_loaf(steps):
-    told = steps("meatloaf", "Bacon Wrapped Meatloaf", "ground beef:raw", "breadcrumbs:crumbs", "egg:uncooked",
+    told = steps("meatloaf", "Bacon Wrapped Meatloaf", "ground beef:raw", "breadcrumbs:crumbs",
                  "bacon:raw", "ketchup:sauce", "brown sugar:granulated")  # fmt: skip
     assert "bacon" in taking(told, "wrap")
 
@@ -158,3 +158,17 @@ def test_sausages_of_cheese_are_shaped_and_turned_in_crumbs(steps):
     told = steps("sausage", "Glamorgan Sausages", "Caerphilly cheese:grated", "breadcrumbs:crumbs", "leek:chopped",
                  "butter:unmelted", "eggs:separated", "milk:liquid", "oil:liquid")  # fmt: skip
     assert {"shape", "dip", "flip"} <= set(motions(told))
+
+
+def test_the_sauce_of_a_loaf_is_cooked_and_not_mixed_into_the_mince(steps):
+    told = steps("meatloaf", "Swedish Meatloaf with Cream Sauce", "ground beef:raw", "breadcrumbs:crumbs",
+                 "egg:uncooked", "butter:unmelted:sauce", "flour:powder:sauce", "beef broth:liquid:sauce",
+                 "cream:creamy:sauce")  # fmt: skip
+    assert "cream" not in inside(told, "mix")
+    assert "cream" in taking(told, "cook and stir")
+
+
+def test_all_that_is_on_a_skewer_lies_in_its_marinade(steps):
+    told = steps("steak", "Balsamic Steak Kebabs", "sirloin:cubed", "balsamic vinegar:liquid", "honey:thick liquid",
+                 "olive oil:liquid", "garlic:minced", "red onion:chopped")  # fmt: skip
+    assert {"sirloin", "honey", "olive oil", "garlic", "red onion"} <= inside(told, "chill")
