@@ -199,3 +199,21 @@ def test_the_meat_of_a_sauce_is_browned_before_it_simmers(steps):
     told = steps("sauce", "Bolognese Sauce", "ground beef:raw", "onion:chopped", "red wine:liquid", "tomatoes:canned")
     assert first(told, "ground beef", "cook and stir") < motions(told).index("simmer")
     assert "red wine" not in taking(told, "cook and stir")
+
+
+def test_the_mayonnaise_that_a_title_promises_lies_in_the_roll_that_is_closed(steps):
+    told = steps("burger", "Shrimp Burgers with Old Bay Mayo", "shrimp:peeled", "panko:crumbs", "egg:uncooked",
+                 "mayonnaise:creamy", "Old Bay:ground", "buns:whole", "butter:unmelted")  # fmt: skip
+    assert "buns" in told[-1][0]
+
+
+def test_a_sauce_of_nut_butter_is_stirred_for_its_pizza(steps):
+    told = steps("pizza", "Thai Chicken Pizza with Peanut Sauce", "pizza dough:whole", "peanut butter:creamy",
+                 "soy sauce:liquid", "cooked chicken:shredded", "mozzarella:shredded")  # fmt: skip
+    assert {"peanut butter", "soy sauce"} <= inside(told, "stir")
+
+
+def test_the_only_eggs_of_a_loco_moco_are_fried(steps):
+    told = steps("burger", "Loco Moco", "ground beef:raw", "white rice:uncooked", "eggs:uncooked", "beef broth:liquid",
+                 "onion:sliced", "butter:unmelted")  # fmt: skip
+    assert "eggs" in taking(told, "cook")

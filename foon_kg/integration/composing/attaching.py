@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.food.techniques import NOWHERE, works
+from foon_kg.food.techniques import NOWHERE, Component, works
 from foon_kg.integration.composing.components import Side, are
 from foon_kg.integration.composing.techniques import carried_out, stage_of
 from foon_kg.integration.joining.course import COATS, MIXES
@@ -48,11 +48,12 @@ def _with_side(
     if component.technique.lines:
         made, found = carried_out(component.technique, own, title_words, known)
         target = replace(target, adds=(made,))
-    whole, at, became = _folded(line, target, side, joins) or _attached(line, target, component.at)
+    on_top = works()[component.by].on_top
+    whole, at, became = _folded(line, target, side, joins) or _attached(line, target, _place(component, line.stages))
     if at is not target:
         became[id(target)] = at
     spots = {id(spot.stage): spot for spot in spots_of(whole)}
-    on_top, layer = works()[component.by].on_top, -1 if component.at == "under" else 0
+    layer = -1 if component.at == "under" else 0
 
     def moved(join: Join) -> Join:
         if join.spot is _NOWHERE:
@@ -67,6 +68,8 @@ def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int
     if at == "between" and only_carries(line.stages[-1]):
         whole, changed = with_line(line, line.stages[-1], target.lines[0])
         return whole, changed[id(line.stages[-1])], changed
+    if at == "closed in":
+        return Line((*line.stages[:-1], target, line.stages[-1])), target, {}
     worked = _worked_at(line, at)
     if worked and at == "simmered":
         return _attached_simmering(line, worked[-1], target)
@@ -74,6 +77,19 @@ def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int
         return _attached_to(line, worked, target, at)
     bakes = [place for place, stage in enumerate(line.stages) if stage.does >= {"dry", "heat"}]
     return _attached_baked(line, bakes, target, at) if bakes else _attached_last(line.stages, target, at)
+
+
+def _place(component: Component, stages: Sequence[Stage]) -> str:
+    """Return where a component joins: what is put together with the rest lies in what is closed there by hand."""
+    closed = component.at == "done" and not works()[component.by].on_top and _closes_by_hand(stages)
+    return "closed in" if closed else component.at
+
+
+def _closes_by_hand(stages: Sequence[Stage]) -> bool:
+    """Whether what lies where it is served is closed there at last: what comes on it then would lie outside."""
+    before, last = stages[-2:] if len(stages) > 1 else (stages[0], stages[0])
+    folds = last.does == {"shape"} and not last.adds and before.vessel == last.vessel
+    return folds and bool(before.vessel) and only_carries(before)
 
 
 def _attached_baked(line: Line, bakes: Sequence[int], target: Stage, at: str) -> tuple[Line, Stage, dict[int, Stage]]:
