@@ -114,3 +114,22 @@ def test_what_is_the_same_food_is_of_one_kind(other, listed):
 def test_another_name_has_what_its_states_make_of_the_food():
     assert FOODS.food("fagioli", ["canned"]).kind == FOODS.food("dried bean", ["canned"]).kind == "canned pulse"
     assert FOODS.food("elote", ["frozen"]).kind == FOODS.food("corn", ["frozen"]).kind
+
+
+@pytest.mark.parametrize(
+    ("name", "state", "kind"),
+    [
+        ("mustard", "dry", "ground spice"),
+        ("flake", "pieces", "ground spice"),
+        ("chili flakes", "whole", "ground spice"),
+        ("currant", "jelly", "jam"),
+        ("sesame", "oily", "oil"),
+        ("crab", "pieces", "ready shellfish"),
+        ("pork rind", "raw", "meat"),
+        ("pork rinds", "crushed", "snack"),
+        ("taro leaves", "dried", "dried green"),
+        ("matchstick carrots", "whole", "shredded salad mix"),
+    ],
+)
+def test_a_state_tells_what_of_that_name_is_meant(name, state, kind):
+    assert FOODS.food(name, [state]).kind == kind

@@ -266,3 +266,33 @@ def test_zest_is_grated_off_a_fruit_that_nobody_peeled(steps):
     told = steps("sauce", "", "bergamot:zest", "tomato:chopped", "onion:chopped", "oil:liquid")
     assert "zest" in states_of(told, "bergamot")
     assert not states_of(told, "bergamot") & {"peeled", "cored"}
+
+
+@pytest.mark.parametrize(
+    ("dish", "food", "wanted", "rest"),
+    [
+        ("potatoes", "cornflake:pieces", {"crumble"}, ("potato:diced", "cheddar:grated", "sour cream:creamy")),
+        (
+            "muffin",
+            "apple:shredded",
+            {"core", "grate"},
+            ("flour:powder", "egg:raw", "milk:liquid", "baking powder:powder"),
+        ),
+        ("soup", "garlic:pressed", {"peel", "mince"}, ("onion:chopped", "vegetable stock:liquid", "oil:liquid")),
+        ("stir-fry", "matchstick carrot:whole", set(), ("ground beef:raw", "cabbage:sliced", "oil:liquid")),
+        ("vegetables", "taro leaf:dried", set(), ("coconut milk:liquid", "onion:sliced", "garlic:crushed")),
+        ("omelette", "crab:pieces", {"chop"}, ("egg:whisked", "butter:unmelted", "salt:granulated")),
+    ],
+)
+def test_hands_do_no_more_to_a_food_than_it_needs_as_it_is_sold(steps, dish, food, wanted, rest):
+    label = food.partition(":")[0]
+    told = steps(dish, "", food, *rest)
+    hands = {"peel", "core", "gut", "cut off ends", "cut", "dice", "slice", "mince", "chop", "grate", "crumble"}
+    assert {motion for _, motion, out in told for node in out if node.label == label and motion in hands} == wanted
+
+
+def test_a_dried_herb_is_not_chopped_where_the_fresh_one_is(steps):
+    sauce = ("oregano:dried", "garlic:minced", "tomato:finely diced", "red wine vinegar:liquid", "sunflower oil:liquid")
+    named = (f"{food}:chimichurri" for food in sauce)
+    told = steps("steak", "Bife a Caballo with Red Chimichurri", "sirloin steak:raw", "egg:uncooked", *named)
+    assert "chop" not in {motion for _, motion, out in told for node in out if node.label == "oregano"}

@@ -125,9 +125,10 @@ def test_tubes_of_pasta_are_filled_and_not_rolled(steps):
     assert "roll" not in {motion for _, motion, _ in told}
 
 
-def test_water_of_pasta_is_taken_out_of_its_pot_before_that_is_drained(steps):
-    told = steps("pasta", "Cacio e Pepe", "spaghetti:uncooked", "pasta water:", "pecorino:grated", "butter:unmelted")
-    (kept,) = [place for place, (_, _, out) in enumerate(told) if "pasta water" in {n.label for n in out} and place][:1]
+@pytest.mark.parametrize("water", ["pasta water", "a ladleful of pasta cooking water"])
+def test_water_of_pasta_is_taken_out_of_its_pot_before_that_is_drained(steps, water):
+    told = steps("pasta", "Cacio e Pepe", "spaghetti:uncooked", f"{water}:", "pecorino:grated", "butter:unmelted")
+    (kept,) = [place for place, (_, _, out) in enumerate(told) if water in {n.label for n in out} and place][:1]
     assert "water" in told[kept][0]
     assert "faucet" not in told[kept][0]
     drained = [place for place, (inputs, _, _) in enumerate(told) if "strainer" in inputs]

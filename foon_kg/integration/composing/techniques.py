@@ -281,8 +281,13 @@ def _cooked_to(want: Want, state: str) -> Want:
 
 
 def _is_shaped(want: Want, row: Mapping[str, Any], asked: State) -> bool:
-    """Whether a food is cut as a row says: not where it is asked cut, nor pressed where its peel or juice is asked."""
+    """Whether a food is cut as a row says.
+
+    Not where it is asked cut or comes broken, nor pressed where its peel or juice is asked.
+    """
     if row.get("make") == JUICE and (want.make in word_list("is off the outside") or JUICE in want.leaf):
+        return False
+    if want.facts.is_any(word_list("comes broken")):
         return False
     uncut = asked.fineness == 0 and not is_left_whole(want)
     return uncut or bool(row.get("always"))

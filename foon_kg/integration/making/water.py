@@ -96,7 +96,10 @@ class Water:
     def _is_of(self, water: Want, stuffs: Sequence[Stuff]) -> bool:
         """Whether some of the water in which ``stuffs`` boiled is asked: what is called so, or after one of them."""
         named = set(words(water.label))
-        return self.known.foods.is_listed(water.label) or any(named & {*words(stuff.label)} for stuff in stuffs)
+        if any(named & {*words(stuff.label)} for stuff in stuffs):
+            return True
+        # "a ladleful of pasta water" names no other food, as "corn cooking water" does
+        return not any(self.known.foods.is_listed(word) for word in named - {*words(water.facts.taken_for)})
 
     def _keep_some(self, pot: Vessel, ready: Ready) -> None:
         """Take some of the water of a pot, which is asked under a name of its own, before it is poured away."""

@@ -32,6 +32,13 @@ from foon_kg.integration.teaching.operators import Operators, Way
 from foon_kg.model import RequiredIngredient
 from foon_kg.world.treatment import ADVISED
 
+_MEANT = (
+    ("is flat when it is flesh", "is flesh", True, "is beaten flat"),
+    ("is peeled where it is no flesh", "is flesh", False, "has no peel any more"),
+    ("is so out of a press", "is crushed with a knife", True, "is crushed out of a press"),
+)
+"""Lists of states; of foods; whether these mean it, or all others; of what is meant."""
+
 
 def wants_of(
     ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators, title: str = ""
@@ -115,11 +122,9 @@ def _meant(one: RequiredIngredient, known: Tables, operators: Operators) -> str:
     if fine or state in word_list("asks for what is grated off"):
         return min(word_list("is grated off the whole"))
     facts = known.foods.food(one.object)
-    if state in word_list("is flat when it is flesh") and facts.is_any(word_list("is flesh")):
-        return min(word_list("is beaten flat"))
-    if state in word_list("is peeled where it is no flesh") and not facts.is_any(word_list("is flesh")):
-        return min(word_list("has no peel any more"))
-    return state
+    rows = ((foods, fit, meant) for states, foods, fit, meant in _MEANT if state in word_list(states))
+    fitting = (meant for foods, fit, meant in rows if facts.is_any(word_list(foods)) is fit)
+    return next((min(word_list(meant)) for meant in fitting), state)
 
 
 def _in_a_package(want: Want) -> Want:
