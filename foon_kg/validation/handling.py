@@ -21,15 +21,30 @@ _MILLS = ("grind", "blend", "mash", "grate", "squeeze")
 
 
 def picked_up(case: Case) -> Iterator[Finding]:
-    """Yield a finding for each liquid of ``case`` that a step picks up with bare hands out of what it was in."""
+    """Yield a finding for each liquid of ``case`` that a step picks up by hand, or on what is flat."""
     for played_step in case.played_steps:
-        if played_step.step.motion not in word_list("picks up") or _has_scoop(played_step):
+        if played_step.step.motion not in word_list("picks up") or _has_hollow_scoop(played_step):
             continue
         # by identity: a lump is the same one whatever becomes of it, and two may look alike
         moved = {id(lump) for lump, before, now in played_step.moved if now is not None and before is not now}
         for node, lump in played_step.outputs.items():
-            if id(lump) in moved and is_runny(node.label, node.states, sorted(node.ingredients), case.tables):
+            if id(lump) in moved and _runs(node, played_step, case):
                 yield Finding("W4", f"{node.label} runs, and is picked up", played_step.number, (node,))
+
+
+def _runs(node: ObjectNode, played_step: PlayedStep, case: Case) -> bool:
+    """Whether what comes out of a vessel in a step runs: it is liquid, or seasoned fat that was hot there."""
+    if is_runny(node.label, node.states, sorted(node.ingredients), case.tables):
+        return True
+    vessels = (mention.node for mention in played_step.step.inputs if "hot" in mention.node.states)
+    hot = any({*node.ingredients} <= {*vessel.ingredients} for vessel in vessels)
+    return hot and _is_seasoned_fat([case.tables.foods.food(name) for name in node.ingredients])
+
+
+def _is_seasoned_fat(foods: Sequence[Food]) -> bool:
+    """Whether ``foods`` are fat, and beside it only what seasons that: no salted flesh."""
+    seasoned = all(food.is_any(word_list("runs with melted fat")) for food in foods)
+    return seasoned and any(f.is_a("fat") for f in foods) and not any(f.is_any(word_list("is flesh")) for f in foods)
 
 
 def by_no_tool(case: Case) -> Iterator[Finding]:
@@ -120,6 +135,13 @@ def _is_sold_fine(facts: Food, case: Case) -> bool:
 
 def _has_scoop(played_step: PlayedStep) -> bool:
     return any(vessel.row.role == "tool" and "scoop" in vessel.row.can for vessel in played_step.vessels)
+
+
+def _has_hollow_scoop(played_step: PlayedStep) -> bool:
+    """Whether a tool of a step scoops what runs: a turner does not, which is flat."""
+    flat = word_list("holds no liquid")
+    tools = (vessel for vessel in played_step.vessels if vessel.row.role == "tool" and "scoop" in vessel.row.can)
+    return any(tool.label not in flat for tool in tools)
 
 
 def too_hard(case: Case) -> Iterator[Finding]:

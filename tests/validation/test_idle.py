@@ -172,6 +172,12 @@ def test_w4_a_vessel_in_which_it_joined_others_served_that():
         ("PICK-AND-PLACE", "butter (melted", "", ["W4 step 1 butter (melted; in bowl): butter runs, and is picked up"]),
         ("PICK-AND-PLACE", "salsa (sauce", "", ["W4 step 1 salsa (sauce; in bowl): salsa runs, and is picked up"]),
         ("PICK-AND-PLACE", "salsa (sauce", " + ladle", []),
+        (
+            "PICK-AND-PLACE",
+            "salsa (sauce",
+            " + turner",
+            ["W4 step 1 salsa (sauce; in bowl): salsa runs, and is picked up"],
+        ),
         ("PICK-AND-PLACE", "egg (whole", "", []),
         ("PICK-AND-PLACE", "egg (beaten, cooked", "", []),
         ("PICK-AND-PLACE", "butter (softened", "", []),
@@ -188,8 +194,26 @@ def test_w4_what_runs_is_not_picked_up(motion, thing, tool, told):
 
 
 @pytest.mark.parametrize(
+    ("foods", "heat", "told"),
+    [
+        ("butter, garlic, sage", "hot; ", True),
+        ("butter, garlic, sage", "", False),
+        ("butter, garlic, mushroom", "hot; ", False),
+        ("butter, gammon steak, salt", "hot; ", False),
+    ],
+)
+def test_w4_a_turner_holds_no_melted_fat(foods, heat, told):
+    step = (
+        f"mixture ({{{foods}}}; in pan) + pan ({heat}{{{foods}}}) + bowl (empty) + turner → PICK-AND-PLACE → "
+        f"mixture ({{{foods}}}; in bowl) + bowl ({{{foods}}}) + pan (empty)"
+    )
+    assert any("mixture runs" in one for one in found("W4", step)) == told
+
+
+@pytest.mark.parametrize(
     ("thing", "liquid", "tool", "told"),
     [
+        ("clove", "cider", "tong", ["W4 step 1: clove lies loose in a liquid, and is lifted out"]),
         ("peppercorn", "cider", "tong", ["W4 step 1: peppercorn lies loose in a liquid, and is lifted out"]),
         ("pine nut", "broth", "tong", ["W4 step 1: pine nut lies loose in a liquid, and is lifted out"]),
         ("peppercorn", "cider", "ladle", []),

@@ -58,8 +58,9 @@ def _is_a_sauce(foods: Sequence[Food]) -> bool:
 
 def _is_melted(stuff: Stuff, foods: Sequence[Food]) -> bool:
     """Whether a mixture is hot fat with what only seasons it."""
+    hot = "cooked" in stuff.states or (stuff.at is not None and stuff.at.hot)
     seasoned = all(food.is_any(word_list("runs with melted fat")) for food in foods)
-    return "cooked" in stuff.states and seasoned and any(food.is_a("fat") for food in foods)
+    return hot and seasoned and any(food.is_a("fat") for food in foods)
 
 
 def _has_set(stuff: Stuff, foods: Sequence[Food], known: Tables) -> bool:
@@ -137,13 +138,32 @@ def form_together(stuffs: Sequence[Stuff], known: Tables, *, whole: bool) -> str
 def _runs(stuff: Stuff, known: Tables) -> bool:
     if stuff.mixed and _is_baked_firm(stuff, known):
         return False  # whatever it is called: a pudding, an omelette
-    return is_liquid_or_soft(stuff, known) or is_wet(stuff, known) or _is_stirred_in_pot(stuff, known)
+    stirred = _is_stirred_in_pot(stuff, known) or _lies_in_sauce(stuff, known)
+    return is_liquid_or_soft(stuff, known) or is_wet(stuff, known) or stirred
 
 
 def _is_stirred_in_pot(stuff: Stuff, known: Tables) -> bool:
     """Whether a mixture was stirred in a deep pot, in which nothing sets in one piece."""
-    row = known.utensil(stuff.at.label) if stuff.mixed and stuff.at is not None else None
-    return row is not None and row.group == "pots" and not is_uncut(stuff, known)
+    return stuff.mixed and _is_in_pot(stuff, known) and not is_uncut(stuff, known)
+
+
+def _is_in_pot(stuff: Stuff, known: Tables) -> bool:
+    row = None if stuff.at is None else known.utensil(stuff.at.label)
+    return row is not None and row.group == "pots"
+
+
+def _lies_in_sauce(stuff: Stuff, known: Tables) -> bool:
+    """Whether a mixture was cooked in a deep pot, or stirred in a pan, with what gives a sauce."""
+    if not stuff.mixed or not SOLID.isdisjoint(stuff.states) or is_baked(stuff):
+        return False
+    foods = [known.foods.food(food) for food in stuff.foods]
+    if not is_heated(stuff.states, known) or not any(map(_gives_a_sauce, foods)):
+        return False
+    return _is_in_pot(stuff, known) or ("mixed" in stuff.states and not _has_set(stuff, foods, known))
+
+
+def _gives_a_sauce(food: Food) -> bool:
+    return food.is_any(word_list("gives a sauce")) and not food.is_a("fat")
 
 
 def is_shaped(stuffs: Sequence[Stuff], known: Tables) -> bool:
@@ -161,6 +181,8 @@ def is_shaped(stuffs: Sequence[Stuff], known: Tables) -> bool:
 def is_uncut(stuff: Stuff, known: Tables) -> bool:
     """Return whether ``stuff`` is flesh that nobody cut, by the tables ``known``, and no stew that is called by it."""
     if stuff.mixed and _is_cut_in_liquid([known.foods.food(food) for food in stuff.foods]):
+        return False
+    if _lies_in_sauce(stuff, known):
         return False
     if _is_breaded(stuff, known) or (not stuff.mixed and {"baked", "whole"} <= set(stuff.states)):
         return True

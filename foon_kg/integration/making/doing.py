@@ -146,19 +146,31 @@ class Doing:
 
         That is before it is poured, served or blended.
         """
-        if not turn.heats or not _leaves_tastes_in(turn, vessel) or not self.work.taking_out.is_due(vessel):
+        if not _leaves_tastes_in(turn, vessel) or not self.work.taking_out.is_due(vessel):
             return vessel
-        if turn.heats_later and not _is_crushed_next(turn):
+        closed = self._is_closed_next(turn, vessel)
+        if turn.heats_later and not (closed or _is_crushed_next(turn)):
             return vessel
         if len(vessel.contents) > 1:
-            last = turn.main and not lifts_later(turn.later)
+            last = turn.main and not closed and not lifts_later(turn.later)
             self.work.name(vessel, self.work.outcome.label(turn.stage, vessel, last=last) or MIXTURE)
         self.bench.heat_off(vessel)
         return self.work.taking_out.take_out(vessel)
 
+    def _is_closed_next(self, turn: Turn, vessel: Vessel) -> bool:
+        """Whether what was cooked in ``vessel`` is baked next in or under a crust, out of which nothing comes again."""
+        after = next((stage for stage in turn.later if stage.heats), None)
+        if after is None or "dry" not in after.does:
+            return False
+        inside = {number for stuff in vessel.contents for number in stuff.wants}
+        others = (join.want for join in self.plan.joins if join.want.number not in inside)
+        return any(want.facts.is_any(word_list("closes what is baked")) for want in others)
+
 
 def _leaves_tastes_in(turn: Turn, vessel: Vessel) -> bool:
-    """Whether ``vessel`` stands on a stove, or was baked and nothing is lifted out of it, which leaves them behind."""
+    """Whether ``vessel`` is heated on a stove, or baked and nothing is lifted out of it, which leaves them behind."""
+    if not turn.heats:
+        return False
     return vessel.relation == "on" or ("dry" in turn.stage.does and not lifts_later(turn.later))
 
 

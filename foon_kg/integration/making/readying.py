@@ -15,6 +15,8 @@ from foon_kg.integration.preparing.preparation import Ready, Want
 from foon_kg.integration.teaching.forms import form_of, is_scooped
 from foon_kg.integration.teaching.frames import HEATS, Phase, Stage
 
+_LEFT = "it is too small to be taken out again: it stays in the dish, and is not eaten"
+
 
 class Readying:
     """Makes the foods of one dish ready on a bench; what is cooked by itself then is cooked ``alone``."""
@@ -45,11 +47,26 @@ class Readying:
         elif self.plan.by_bites and not blended and not _is_done_later(join, {"cut"}):
             self.alone.preparer.cut_to_bites(ready, hot=_is_done_later(join, HEATS))
         self.ready[want.number] = ready
+        self._tell_what_is_left(ready, blended=blended)
         self.alone.beaten_first(join, ready)
-        if want.facts.is_any(word_list("is the water of a pot")):
+        self._set_water_aside(join, ready)
+
+    def _set_water_aside(self, join: Join, ready: Ready) -> None:
+        """Keep the water of a pot for later, and measure what comes into a hot vessel, where ``ready`` is water."""
+        if ready.want.facts.is_any(word_list("is the water of a pot")):
             self.alone.carry.water.kept.append(ready)
-        elif want.facts.is_a("water") and self.course.is_hot(join.spot.stage):
+        elif ready.want.facts.is_a("water") and self.course.is_hot(join.spot.stage):
             self.alone.measure(ready)
+
+    def _tell_what_is_left(self, ready: Ready, *, blended: bool) -> None:
+        """Tell of what nobody finds again in a dish, where nothing is ``blended`` and no strainer keeps it back."""
+        if not (self.plan.in_glass or blended) and self._is_left_on_the_plate(ready.want):
+            ready.assumptions.append(_LEFT)
+
+    def _is_left_on_the_plate(self, want: Want) -> bool:
+        """Whether a food comes whole that nobody eats, and is too small to be found again in a dish."""
+        whole = fineness(filter(None, (want.make, *want.leaf)), self.known) == 0
+        return whole and want.facts.is_any(word_list("is left on the plate"))
 
     def _is_cooked_in_its_shell(self, want: Want) -> bool:
         """Whether a food that is cooked by itself goes into the water in its shell."""
