@@ -73,7 +73,7 @@ PREPARED = [
     ("cheese", "grated", "grate", ""),
     ("cheddar", "shredded", "grate", ""),
     ("butter", "melted", "melt", ""),
-    ("butter", "softened", "", "stick"),
+    ("butter", "softened", "", ""),
     ("yogurt", "creamy", "", ""),
     ("chicken", "diced", "dice, boil, drain", ""),
     # --- crude words of recipes ---

@@ -51,6 +51,7 @@ def test_a_parcel_with_oil_in_it_is_carried_as_one(steps):
     told = steps("seafood", "Salmon Parcels with Ginger", "salmon:raw", "ginger:julienned", "pak choi:halved",
                  "sesame oil:liquid", "mirin:liquid")  # fmt: skip
     assert "parcel" in taking(told, "bake")
+    assert not any("cutting board" in told[place][0] for place in range(len(told)) if "mirin" in told[place][0])
 
 
 def test_no_brush_carries_a_stick_of_spice(steps):
@@ -172,3 +173,31 @@ def test_all_that_is_on_a_skewer_lies_in_its_marinade(steps):
     told = steps("steak", "Balsamic Steak Kebabs", "sirloin:cubed", "balsamic vinegar:liquid", "honey:thick liquid",
                  "olive oil:liquid", "garlic:minced", "red onion:chopped")  # fmt: skip
     assert {"sirloin", "honey", "olive oil", "garlic", "red onion"} <= inside(told, "chill")
+
+
+def test_chopped_tomatoes_are_cooked_with_the_onions_of_a_sausage_roll_and_slices_lie_raw(steps):
+    asked = ["boerewors:raw", "bread rolls:whole", "onions:sliced", "oil:liquid", "sugar:granulated"]
+    relish = steps("sausage", "Boerewors Rolls with Tomato Relish", *asked, "tomatoes:chopped", "chutney:sauce")
+    assert {"tomatoes", "chutney"} <= taking(relish, "cook and stir")
+    sliced = steps("sausage", "Boerewors Rolls with Tomato", *asked, "tomatoes:sliced")
+    assert "tomatoes" not in taking(sliced, "cook and stir")
+
+
+@pytest.mark.parametrize(
+    ("dish", "title", "asked", "form"),
+    [
+        ("potatoes", "Herbed Potatoes", ("new potatoes:boiled", "butter:unmelted", "dill:chopped"), "softened"),
+        ("bread", "Scones", ("flour:powder", "butter:unmelted", "milk:liquid", "baking powder:powder"), "unmelted"),
+    ],
+)
+def test_butter_is_soft_when_it_is_stirred_cold_but_hard_when_it_is_rubbed_into_flour(steps, dish, title, asked, form):
+    assert form in states_of(steps(dish, title, *asked), "butter")
+
+
+def test_butter_melts_in_a_sauce_and_is_not_whisked_with_cold_starch(steps):
+    told = steps("sauce", "Raisin Sauce", "brown sugar:granulated", "cornstarch:powder", "water:liquid",
+                 "vinegar:liquid", "raisins:whole", "butter:unmelted")  # fmt: skip
+    assert next(place for place, (inputs, _, _) in enumerate(told) if "butter" in inputs) > motions(told).index(
+        "turn on"
+    )
+    assert "butter" in inside(told, "simmer")

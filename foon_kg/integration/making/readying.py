@@ -128,7 +128,7 @@ class Readying:
         return mixed and not self.plan.in_glass and not join.on_top
 
     def _as_soft_as_needed(self, join: Join) -> Want:
-        """Return a want that lay out of the refrigerator where it is beaten, or stirred with what is sweet."""
+        """Return a want that lay out of the refrigerator where it is beaten or stirred with others while it is cold."""
         want = join.want
         if want.make or not want.facts.is_any(word_list("is soft when it is beaten")):
             return want
@@ -137,14 +137,12 @@ class Readying:
         return want
 
     def _is_beaten(self, stage: Stage) -> bool:
-        """Whether a stage beats cold what joins it, or stirs it to a cream with what is sweet and no flour."""
+        """Whether a stage beats or stirs cold what joins it; into flour fat is rubbed as hard as it is."""
         if stage.heats:
             return False
         if not stage.does.isdisjoint({"blend", "whip"}):
             return True
-        beside = [one.want.facts for one in self.course.ordered(stage)]
-        creamed = any(facts.is_a("sweet") for facts in beside) and not any(facts.is_a("flour") for facts in beside)
-        return creamed and "mix" in stage.does
+        return "mix" in stage.does and not any(one.want.facts.is_a("flour") for one in self.course.ordered(stage))
 
     def _cut_once_done(self, join: Join, ready: Ready) -> Ready:
         """Have what is eaten in pieces, or is mixed with others where it joins, cut when it is cooked."""
