@@ -217,3 +217,11 @@ def test_the_only_eggs_of_a_loco_moco_are_fried(steps):
     told = steps("burger", "Loco Moco", "ground beef:raw", "white rice:uncooked", "eggs:uncooked", "beef broth:liquid",
                  "onion:sliced", "butter:unmelted")  # fmt: skip
     assert "eggs" in taking(told, "cook")
+
+
+def test_herbs_of_fish_burgers_join_the_yogurt_where_there_is_one_and_else_the_patties(steps):
+    asked = ["salmon fillets:raw", "panko:crumbs", "egg:raw", "dill:chopped", "buns:whole", "olive oil:liquid"]
+    sauced = steps("burger", "Salmon Burgers with Dill Yogurt", *asked, "Greek yogurt:creamy")
+    assert "dill" not in inside(sauced, "mix")
+    assert inside(sauced, "stir") == {"Greek yogurt", "dill"}
+    assert "dill" in inside(steps("burger", "Salmon Burgers", *asked), "mix")
